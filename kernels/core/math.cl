@@ -1,0 +1,90 @@
+/// Float functions from + - * /, fma, selects and integers alone: the same bits on every device, and flat, so that loops of them become vector code.
+/// Errors are measured in units in the last place (ulp) of the true result. Subnormal arguments and results count as any other: do not build with
+/// -cl-denorms-are-zero. A NaN argument gives NaN unless said otherwise.
+#pragma once
+#include "kernels/core/portable.h"
+
+FUNCTION float minimum(float a, float b) { return a < b ? a : b; }
+FUNCTION float maximum(float a, float b) { return a > b ? a : b; }
+FUNCTION float square(float x) { return x * x; }
+
+/// a b - c d within 1.5 ulp, however much cancels, if nothing over- or underflows (Kahan; Jeannerod et al. 2013).
+FUNCTION float difference_of_products(float a, float b, float c, float d) {
+    const float cd = c * d;
+    return fma(a, b, -cd) + fma(-c, d, cd);
+}
+
+/// The least float above x (IEEE 754 nextUp): above -0 lies the least subnormal; infinity stays.
+FUNCTION float next_up(float x) {
+    const uint bits = as_uint(x) == 0x80000000u ? 0u : as_uint(x), next = bits < 0x80000000u ? bits + 1u : bits - 1u;
+    return x < INFINITY ? as_float(next) : x;
+}
+
+/// The greatest float below x (IEEE 754 nextDown).
+FUNCTION float next_down(float x) { return -next_up(-x); }
+
+/// An unevaluated sum, |low| being at most a few ulp of |high|.
+typedef struct {
+    float high, low;
+} TwoFloats;
+
+/// log2 x within 2^-33.8 of its value, near x = 1 too (all floats tried); x = 0 gives high = -infinity, x < 0 NaN; low is finite.
+/// x = 2^e m, sqrt(1/2) <= m < sqrt(2); s = (m - 1) / (m + 1); log2 m = 2 / ln 2 atanh s = s (2 / ln 2 + z w(z)), z = s^2.
+/// w: minimax of that sum's relative error (2^-37.5; Remez, each coefficient rounded before the next ones were fitted), its first term in two floats.
+FUNCTION TwoFloats logarithm_of_base_two(float x) {
+    const int subnormal = x < 0x1p-126f;
+    const uint half_root = 0x3f3504f3u, bits = as_uint(subnormal ? x * 0x1p24f : x) - half_root;
+    const float e = (float)(((int)bits >> 23) - (subnormal ? 24 : 0)), m = as_float((bits & 0x7fffffu) + half_root);
+
+    const float sum = m + 1.0f, sum_low = m - (sum - 1.0f), inverse = 1.0f / sum;
+    const float s = (m - 1.0f) * inverse, s_low = inverse * fma(-s, sum_low, fma(-s, sum, m - 1.0f));
+    const float z = s * s, z_low = fma(s + s, s_low, fma(s, s, -z));
+
+    const float w_tail = z * fma(z, fma(z, 3.402802050e-01f, 4.117039144e-01f), 5.770828724e-01f);
+    const float w_first = 9.617967010e-01f, w = w_first + w_tail, w_low = w_tail - (w - w_first) - 2.172733460e-08f;
+    const float v = z * w, v_low = fma(z, w, -v) + fma(z, w_low, z_low * w);
+    const float slope_first = 2.885390043e+00f, slope = slope_first + v, slope_low = v - (slope - slope_first) + (v_low + 3.851926067e-08f);
+    const float p = s * slope, p_low = fma(s, slope, -p) + fma(s, slope_low, s_low * slope);
+
+    TwoFloats result = {e + p, p - (e + p - e) + p_low};
+    const float end = x == 0.0f ? -INFINITY : x > 0.0f ? x : NAN;
+    result.high = x > 0.0f && x < INFINITY ? result.high : end;
+    return result;
+}
+
+/// 2^(high + low), the sum being exact; 0 and infinity beyond the floats, whatever low is then.
+/// Minimax of the relative error for |exponent| <= 1/2 (2^-27.6; Remez, rounded, then improved by steps of some ulp).
+FUNCTION float two_to_the(float high, float low) {
+    const float round = 0x1.8p23f, rounded = high + round;
+    const int n = as_int(rounded) - as_int(round), half_n = n >> 1;
+    const float x = high - (rounded - round) + low;
+    float t = fma(x, 1.535375486e-04f, 1.339917304e-03f);
+    t = fma(x, t, 9.618555196e-03f);
+    t = fma(x, t, 5.550343916e-02f);
+    t = fma(x, t, 2.402264625e-01f);
+    t = fma(x, t, 6.931471825e-01f);
+    // Two factors, because 2^n itself may be no float.
+    float result = fma(x, t, 1.0f) * as_float((half_n + 127) << 23) * as_float((n - half_n + 127) << 23);
+    result = high > 129.0f ? INFINITY : result;
+    return high < -151.0f ? 0.0f : result;
+}
+
+/// e^x, all x: within 0.92 ulp (all floats tried).
+FUNCTION float exponential(float x) {
+    const float high = x * 1.442695022e+00f;
+    return two_to_the(high, fma(x, 1.925962991e-08f, fma(x, 1.442695022e+00f, -high)));
+}
+
+/// ln x: within 0.501 ulp (all floats tried); x = 0 gives -infinity, x < 0 NaN.
+FUNCTION float logarithm(float x) {
+    // ln 2 is rounded down: infinity times either part has the same sign.
+    const TwoFloats l = logarithm_of_base_two(x);
+    return fma(l.high, 6.931471229e-01f, fma(l.high, 5.769999048e-08f, l.low * 6.931471229e-01f));
+}
+
+/// x^y, x >= 0 (-0 is 0), all y: within 0.96 ulp (4.5e8 pairs tried, many with x near 1 or results near the ends); x^0 = 1^y = 1 even with NaN.
+FUNCTION float power(float x, float y) {
+    const TwoFloats l = logarithm_of_base_two(x);
+    const float high = y * l.high, low = fma(y, l.high, -high) + y * l.low;
+    return x == 1.0f || y == 0.0f ? 1.0f : two_to_the(high, low);
+}
