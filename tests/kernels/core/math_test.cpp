@@ -23,8 +23,7 @@ constexpr std::size_t pairs = 1 << 19;
 
 /// |value - exact| in units in the last place of `exact`; infinity counts as 2^128, and a NaN is right if both are.
 long double ulps(float value, long double exact) {
-    if (static_cast<float>(exact) == value || (std::isnan(value) && std::isnan(exact)))
-        return 0;
+    if (static_cast<float>(exact) == value || (std::isnan(value) && std::isnan(exact))) return 0;
     const long double finite = std::isinf(value) ? std::copysign(0x1p128L, value) : value;
     const long double error = std::abs(finite - exact) / std::ldexp(1.0L, std::clamp(std::ilogb(exact) - 23, -149, 104));
     return std::isnan(error) ? infinity : error;
@@ -33,8 +32,7 @@ long double ulps(float value, long double exact) {
 /// Floats from all over the 2^32, evenly strided by bits.
 std::vector<float> floats_of_all_kinds() {
     std::vector<float> result;
-    for (std::uint64_t bits = 0; bits < 1ull << 32; bits += 1021)
-        result.push_back(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+    for (std::uint64_t bits = 0; bits < 1ull << 32; bits += 1021) result.push_back(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
     return result;
 }
 
@@ -86,8 +84,7 @@ std::pair<float, float> with_exponent(Random &random, float x, float low, float 
 
 TEST(Math, ExponentialIsWithinItsError) {
     const std::vector<float> x = floats_of_all_kinds(), y = values_of("exponential", x);
-    for (std::size_t i = 0; i < x.size(); ++i)
-        ASSERT_LE(ulps(y[i], std::exp(static_cast<long double>(x[i]))), 0.92) << x[i];
+    for (std::size_t i = 0; i < x.size(); ++i) ASSERT_LE(ulps(y[i], std::exp(static_cast<long double>(x[i]))), 0.92) << x[i];
 }
 
 TEST(Math, ExponentialOfTheEnds) {
@@ -97,14 +94,12 @@ TEST(Math, ExponentialOfTheEnds) {
 
 TEST(Math, LogarithmIsWithinItsError) {
     const std::vector<float> x = floats_of_all_kinds(), y = values_of("logarithm", x);
-    for (std::size_t i = 0; i < x.size(); ++i)
-        ASSERT_LE(ulps(y[i], std::log(static_cast<long double>(x[i]))), 0.501) << x[i];
+    for (std::size_t i = 0; i < x.size(); ++i) ASSERT_LE(ulps(y[i], std::log(static_cast<long double>(x[i]))), 0.501) << x[i];
 }
 
 TEST(Math, LogarithmOfTheEnds) {
     EXPECT_EQ(values_of("logarithm", {0, -0.0f, 1, infinity}), (std::vector<float>{-infinity, -infinity, 0, infinity}));
-    for (const float y : values_of("logarithm", {-least, -1, -infinity, not_a_number}))
-        EXPECT_TRUE(std::isnan(y));
+    for (const float y : values_of("logarithm", {-least, -1, -infinity, not_a_number})) EXPECT_TRUE(std::isnan(y));
 }
 
 TEST(Math, PowerIsWithinItsErrorForAnyPair) {
@@ -143,8 +138,8 @@ TEST(Math, PowerIsWithinItsErrorForSubnormalBases) {
 }
 
 TEST(Math, PowerOfTheEndsIsThatOfC) {
-    const float ends[] = {0, least, 0x1p-126f, 0.5f,     std::nextafter(1.0f, 0.0f), 1, std::nextafter(1.0f, 2.0f),
-                          2, 1e5f,  greatest,  infinity, not_a_number};
+    const float ends[] = {0,    least,    0x1p-126f, 0.5f,        std::nextafter(1.0f, 0.0f), 1, std::nextafter(1.0f, 2.0f), 2,
+                          1e5f, greatest, infinity,  not_a_number};
     std::vector<float> x, y;
     for (const float base : ends)
         for (const float magnitude : ends)
