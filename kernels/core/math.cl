@@ -2,17 +2,9 @@
 /// Errors are measured in units in the last place (ulp) of the true result. Subnormal arguments and results count as any other: do not build with
 /// -cl-denorms-are-zero. A NaN argument gives NaN unless said otherwise.
 #pragma once
-#include "kernels/core/portable.h"
+#include "kernels/core/lanes_1.cl"
 
-FUNCTION float minimum(float a, float b) { return a < b ? a : b; }
-FUNCTION float maximum(float a, float b) { return a > b ? a : b; }
 FUNCTION float square(float x) { return x * x; }
-
-/// a b - c d within 1.5 ulp, however much cancels, if nothing over- or underflows (Kahan; Jeannerod et al. 2013).
-FUNCTION float difference_of_products(float a, float b, float c, float d) {
-    const float cd = c * d;
-    return fma(a, b, -cd) + fma(-c, d, cd);
-}
 
 /// The least float above x (IEEE 754 nextUp): above -0 lies the least subnormal; infinity stays.
 FUNCTION float next_up(float x) {

@@ -1,0 +1,114 @@
+// Blocks of primitives against one ray (8 primitives at a time) or a packet of 16 rays: what every accelerator's leaves call.
+#pragma once
+#include "generated/primitives.cl"
+#include "kernels/core/bits.cl"
+#include "kernels/core/items.cl"
+#include "kernels/core/scene.cl"
+
+#include "kernels/core/lanes_8.cl"
+#define LaneRay ray_x8
+#define Crossing crossing_x8
+#include "kernels/core/lane_ray.cl"
+#include "generated/primitive_hits.cl"
+#undef LaneRay
+#undef Crossing
+
+#include "kernels/core/lanes_16.cl"
+#define LaneRay ray_x16
+#define Crossing crossing_x16
+#include "kernels/core/lane_ray.cl"
+#include "generated/primitive_hits.cl"
+#undef LaneRay
+#undef Crossing
+
+#define PACKET 16u
+
+/// Closest hits of a packet so far; their t is the packet's t_max.
+typedef struct {
+    float16 u, v;
+    uint16 primitive;
+} PacketHits;
+
+/// Axis of the largest component of a direction.
+FUNCTION uint major_axis(vec3 d) {
+    const float x = fabs(d.x), y = fabs(d.y), z = fabs(d.z);
+    return ((x >= y) & (x >= z)) ? 0u : y >= z ? 1u : 2u;
+}
+
+FUNCTION ray_x8 prepare(Ray ray, float extent) {
+    const vec3x8 origin = make3((float8)(ray.origin.x), (float8)(ray.origin.y), (float8)(ray.origin.z));
+    const vec3x8 direction = make3((float8)(ray.direction.x), (float8)(ray.direction.y), (float8)(ray.direction.z));
+    return lane_ray(origin, direction, (float8)(ray.t_max), major_axis(ray.direction), extent);
+}
+
+#define CROSS_BLOCK(KIND, Record, name) \
+    if (kind == KIND) crossing = name##_crossing(SCENE_ARRAY(scene, Record##Block, blocks[KIND]) + block, 0u, *ray);
+
+/// Numbers of a block's primitives.
+FUNCTION const global uint *block_numbers(Scene scene, uint kind, uint block) {
+    const global uint *numbers = 0;
+#define CASE(KIND, Record, name) \
+    if (kind == KIND) numbers = (SCENE_ARRAY(scene, Record##Block, blocks[KIND]) + block)->primitive;
+    FOR_EACH_PRIMITIVE(CASE)
+#undef CASE
+    return numbers;
+}
+
+/// A nearer crossing, or an equally near one of a primitive of lower number, replaces `hit` and shortens the ray.
+FUNCTION void block_closest_hit(Scene scene, uint kind, uint block, ray_x8 *ray, Hit *hit) {
+    crossing_x8 crossing;
+    crossing.hit = (int8)(0);
+    FOR_EACH_PRIMITIVE(CROSS_BLOCK)
+    uint bits = mask_bits(crossing.hit);
+    if (bits == 0u) return;
+    const global uint *primitive = block_numbers(scene, kind, block);
+    float t[8], u[8], v[8];
+    vstore8(crossing.t, 0, t), vstore8(crossing.u, 0, u), vstore8(crossing.v, 0, v);
+    for (; bits != 0u; bits &= bits - 1u) {
+        const uint j = lowest_bit(bits);
+        if (t[j] < hit->t || (t[j] == hit->t && primitive[j] < hit->primitive))
+            hit->t = t[j], hit->u = u[j], hit->v = v[j], hit->primitive = primitive[j];
+    }
+    ray->t_max = (float8)(hit->t);
+}
+
+/// Whether any primitive of the block is met.
+FUNCTION bool block_occludes(Scene scene, uint kind, uint block, const ray_x8 *ray) {
+    crossing_x8 crossing;
+    crossing.hit = (int8)(0);
+    FOR_EACH_PRIMITIVE(CROSS_BLOCK)
+    return mask_bits(crossing.hit) != 0u;
+}
+#undef CROSS_BLOCK
+
+/// block_closest_hit for a packet.
+FUNCTION void block_closest_hits(Scene scene, uint kind, uint block, ray_x16 *ray, PacketHits *hits) {
+#define CROSS_EACH(KIND, Record, name)                                                                                 \
+    if (kind == KIND) {                                                                                                \
+        const global Record##Block *b = SCENE_ARRAY(scene, Record##Block, blocks[KIND]) + block;                       \
+        for (uint j = 0u; j < BLOCK_SIZE && b->primitive[j] != NO_HIT; ++j) {                                          \
+            const crossing_x16 crossing = name##_crossing(b, j, *ray);                                                 \
+            if (mask_bits(crossing.hit) == 0u) continue;                                                               \
+            const uint16 primitive = (uint16)(b->primitive[j]);                                                        \
+            const int16 better = crossing.hit & ((crossing.t < ray->t_max) | (primitive < hits->primitive));           \
+            ray->t_max = better ? crossing.t : ray->t_max;                                                             \
+            hits->u = better ? crossing.u : hits->u;                                                                   \
+            hits->v = better ? crossing.v : hits->v;                                                                   \
+            hits->primitive = better ? primitive : hits->primitive;                                                    \
+        }                                                                                                              \
+    }
+    FOR_EACH_PRIMITIVE(CROSS_EACH)
+#undef CROSS_EACH
+}
+
+/// Ends the rays that meet a primitive of the block: their t_max becomes -1.
+FUNCTION void block_ends_rays(Scene scene, uint kind, uint block, ray_x16 *ray) {
+#define END_EACH(KIND, Record, name)                                                             \
+    if (kind == KIND) {                                                                          \
+        const global Record##Block *b = SCENE_ARRAY(scene, Record##Block, blocks[KIND]) + block; \
+        for (uint j = 0u; j < BLOCK_SIZE && b->primitive[j] != NO_HIT; ++j)                      \
+            ray->t_max = name##_crossing(b, j, *ray).hit ? (float16)(-1.0f) : ray->t_max;        \
+    }
+    FOR_EACH_PRIMITIVE(END_EACH)
+#undef END_EACH
+}

@@ -1,0 +1,156 @@
+// Template, included once per level: LEVEL(name) names its functions, the LEAF_ macros test one block.
+// Bounding volume hierarchy of 8 children per node: one ray against 8 boxes at a time, or a packet against one box after another.
+#include "kernels/accelerators/wide_bvh.h"
+
+#define BVH_STACK 256u
+
+/// Bits of the children whose boxes the ray meets before t_max, and where it enters each (never negative).
+FUNCTION uint LEVEL(children)(const global BvhNode *node, const ray_x8 *ray, float8 *enter) {
+    const vec3x8 inverse = ray->inverse;
+    const bool x = inverse.x.s0 < 0.0f, y = inverse.y.s0 < 0.0f, z = inverse.z.s0 < 0.0f;
+#define PLANE(side, axis) (*(const global float8 *)(side)[axis])
+    const float8 near_x = fma(PLANE(x ? node->high : node->low, 0), inverse.x, x ? ray->shift_high.x : ray->shift_low.x);
+    const float8 near_y = fma(PLANE(y ? node->high : node->low, 1), inverse.y, y ? ray->shift_high.y : ray->shift_low.y);
+    const float8 near_z = fma(PLANE(z ? node->high : node->low, 2), inverse.z, z ? ray->shift_high.z : ray->shift_low.z);
+    const float8 far_x = fma(PLANE(x ? node->low : node->high, 0), inverse.x, x ? ray->shift_low.x : ray->shift_high.x);
+    const float8 far_y = fma(PLANE(y ? node->low : node->high, 1), inverse.y, y ? ray->shift_low.y : ray->shift_high.y);
+    const float8 far_z = fma(PLANE(z ? node->low : node->high, 2), inverse.z, z ? ray->shift_low.z : ray->shift_high.z);
+#undef PLANE
+    const float8 near = maximum(maximum(near_x, near_y), maximum(near_z, (float8)(0.0f)));
+    const float8 far = minimum(minimum(far_x, far_y), minimum(far_z, ray->t_max));
+    *enter = near;
+    return mask_bits((near <= far) & (*(const global uint8 *)node->child != (uint8)(BVH_EMPTY)));
+}
+
+/// The stack holds children with the t where the ray enters them, as (bits of t) << 32 | child, farthest first among the children of a node.
+static Hit LEVEL(closest_hit)(Scene scene, Ray ray) {
+    const global BvhNode *nodes = SCENE_ARRAY(scene, BvhNode, nodes);
+    ray_x8 lanes = prepare(ray, scene.header->extent);
+    Hit hit = {ray.t_max, NO_HIT, 0.0f, 0.0f};
+    ulong stack[BVH_STACK];
+    uint size = 0u, current = 0u;
+    for (;;) {
+        if ((current & BVH_LEAF) == 0u) {
+            const global BvhNode *node = nodes + current;
+            float8 enter;
+            uint bits = LEVEL(children)(node, &lanes, &enter);
+            if (bits != 0u) {
+                float t[BVH_WIDTH];
+                vstore8(enter, 0, t);
+                const uint bottom = size;
+                uint child = lowest_bit(bits);
+                ulong nearest = (ulong)as_uint(t[child]) << 32 | node->child[child];
+                for (bits &= bits - 1u; bits != 0u; bits &= bits - 1u) {
+                    child = lowest_bit(bits);
+                    ulong entry = (ulong)as_uint(t[child]) << 32 | node->child[child];
+                    if (entry < nearest) {
+                        const ulong swap = entry;
+                        entry = nearest, nearest = swap;
+                    }
+                    uint place = size++;
+                    for (; place > bottom && stack[place - 1u] < entry; --place) stack[place] = stack[place - 1u];
+                    stack[place] = entry;
+                }
+                current = (uint)nearest;
+                continue;
+            }
+        } else {
+            LEAF_CLOSEST_HIT(scene, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, &lanes, &hit);
+        }
+        do {
+            if (size == 0u) return hit;
+            current = (uint)stack[--size];
+        } while ((uint)(stack[size] >> 32) > as_uint(hit.t));
+    }
+}
+
+/// The child with the fewest primitives is visited first: it is the likeliest to be hit soon for its cost.
+static bool LEVEL(occluded)(Scene scene, Ray ray) {
+    const global BvhNode *nodes = SCENE_ARRAY(scene, BvhNode, nodes);
+    const ray_x8 lanes = prepare(ray, scene.header->extent);
+    uint stack[BVH_STACK];
+    uint size = 0u, current = 0u;
+    for (;;) {
+        if ((current & BVH_LEAF) == 0u) {
+            float8 enter;
+            uint bits = LEVEL(children)(nodes + current, &lanes, &enter);
+            for (; bits != 0u; bits &= bits - 1u) stack[size++] = nodes[current].child[lowest_bit(bits)];
+        } else if (LEAF_OCCLUDES(scene, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, &lanes)) {
+            return true;
+        }
+        if (size == 0u) return false;
+        current = stack[--size];
+    }
+}
+
+/// Bits of the packet's rays that meet child `c` before their t_max, and where they enter it; rays that don't have +∞.
+FUNCTION uint LEVEL(rays_entering)(const global BvhNode *node, uint c, const ray_x16 *ray, float16 *enter) {
+#define AT(side, axis, component, shift) fma((float16)(node->side[axis][c]), ray->inverse.component, ray->shift.component)
+    const vec3x16 a = make3(AT(low, 0, x, shift_low), AT(low, 1, y, shift_low), AT(low, 2, z, shift_low));
+    const vec3x16 b = make3(AT(high, 0, x, shift_high), AT(high, 1, y, shift_high), AT(high, 2, z, shift_high));
+#undef AT
+    const vec3x16 nears = minimum(a, b), fars = maximum(a, b);
+    const float16 near = maximum(maximum(nears.x, nears.y), maximum(nears.z, (float16)(0.0f)));
+    const float16 far = minimum(minimum(fars.x, fars.y), minimum(fars.z, ray->t_max));
+    const int16 meets = near <= far;
+    *enter = meets ? near : (float16)(INFINITY);
+    return mask_bits(meets);
+}
+
+/// Children are visited in the order of the first ray that tells them apart.
+static void LEVEL(closest_hits)(Scene scene, ray_x16 *ray, PacketHits *hits) {
+    const global BvhNode *nodes = SCENE_ARRAY(scene, BvhNode, nodes);
+    uint stack[BVH_STACK];
+    float16 entered[BVH_STACK];
+    uint size = 0u, current = 0u;
+    for (;;) {
+        if ((current & BVH_LEAF) == 0u) {
+            const global BvhNode *node = nodes + current;
+            uint nearest = BVH_EMPTY;
+            float16 nearest_enter = (float16)(INFINITY);
+            for (uint c = 0u; c < BVH_WIDTH && node->child[c] != BVH_EMPTY; ++c) {
+                float16 enter;
+                if (LEVEL(rays_entering)(node, c, ray, &enter) == 0u) continue;
+                if (nearest == BVH_EMPTY) {
+                    nearest = node->child[c], nearest_enter = enter;
+                } else if (mask_bits(enter < nearest_enter) != 0u) {
+                    stack[size] = nearest, entered[size++] = nearest_enter;
+                    nearest = node->child[c], nearest_enter = enter;
+                } else {
+                    stack[size] = node->child[c], entered[size++] = enter;
+                }
+            }
+            if (nearest != BVH_EMPTY) {
+                current = nearest;
+                continue;
+            }
+        } else {
+            LEAF_CLOSEST_HITS(scene, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, ray, hits);
+        }
+        do {
+            if (size == 0u) return;
+            current = stack[--size];
+        } while (mask_bits(entered[size] <= ray->t_max) == 0u);
+    }
+}
+
+/// Ends every ray that meets something: its t_max becomes -1.
+static void LEVEL(end_occluded)(Scene scene, ray_x16 *ray) {
+    const global BvhNode *nodes = SCENE_ARRAY(scene, BvhNode, nodes);
+    uint stack[BVH_STACK];
+    uint size = 0u, current = 0u;
+    for (;;) {
+        if ((current & BVH_LEAF) == 0u) {
+            const global BvhNode *node = nodes + current;
+            float16 enter;
+            for (uint c = 0u; c < BVH_WIDTH && node->child[c] != BVH_EMPTY; ++c)
+                if (LEVEL(rays_entering)(node, c, ray, &enter) != 0u) stack[size++] = node->child[c];
+        } else {
+            LEAF_ENDS_RAYS(scene, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, ray);
+            if (mask_bits(ray->t_max >= 0.0f) == 0u) return;
+        }
+        if (size == 0u) return;
+        current = stack[--size];
+    }
+}
+#undef BVH_STACK

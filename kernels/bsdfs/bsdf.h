@@ -1,0 +1,8 @@
+/// What the integrators ask of a BSDF; never stored.
+#pragma once
+#include "kernels/core/portable.h"
+
+/// How an ideal interface divides the light: weights of the mirrored and of the refracted ray.
+typedef struct {
+    Spectrum reflected, refracted;
+} Split;

@@ -1,0 +1,51 @@
+// Whitted's surface (Whitted, CACM 23(6) 1980).
+#pragma once
+#include "kernels/bsdfs/bsdf.h"
+#include "kernels/bsdfs/whitted.h"
+#include "kernels/core/math.cl"
+#include "kernels/core/refraction.cl"
+#include "kernels/core/scene.h"
+
+FUNCTION Whitted whitted_view(Material m) {
+    Whitted w;
+    w.ambient = make3(as_float(m.words[0]), as_float(m.words[1]), as_float(m.words[2]));
+    w.diffuse = make3(as_float(m.words[3]), as_float(m.words[4]), as_float(m.words[5]));
+    w.specular = make3(as_float(m.words[6]), as_float(m.words[7]), as_float(m.words[8]));
+    w.reflection = make3(as_float(m.words[9]), as_float(m.words[10]), as_float(m.words[11]));
+    w.transmission = make3(as_float(m.words[12]), as_float(m.words[13]), as_float(m.words[14]));
+    w.exponent = as_float(m.words[15]);
+    w.fresnel = m.words[16];
+    return w;
+}
+
+/// Reflectance of ambient light.
+FUNCTION Spectrum whitted_ambient(Material m) { return whitted_view(m).ambient; }
+
+/// Whether light from a light can be seen on it.
+FUNCTION bool whitted_is_lit(Material m) {
+    const Whitted w = whitted_view(m);
+    return largest(maximum(w.diffuse, w.specular)) > 0.0f;
+}
+
+/// (kd N·L + ks (V·R)^n) / π [1/sr] of light from `wi` towards `wo`: with diffuse reflectance ρ, a surface under irradiance E has radiance ρE/π.
+FUNCTION Spectrum whitted_local(Material m, vec3 normal, vec3 wo, vec3 wi) {
+    const Whitted w = whitted_view(m);
+    const float cosine = dot3(normal, wi);
+    const float mirrored = maximum(2.0f * cosine * dot3(normal, wo) - dot3(wi, wo), 0.0f);
+    const float highlight = power(minimum(mirrored, 1.0f), w.exponent);
+    const Spectrum value = plus(scaled(w.diffuse, cosine), scaled(w.specular, highlight));
+    return where(cosine > 0.0f, scaled(value, 0.318309886f), make3(0.0f, 0.0f, 0.0f));
+}
+
+/// At total internal reflection the reflected ray carries both weights, or with Fresnel's law its own.
+FUNCTION Split whitted_split(Material m, float cosine, float cosine_squared_beyond, float eta) {
+    const Whitted w = whitted_view(m);
+    const bool transmits = (m.flags & MATERIAL_TRANSMITS) != 0u;
+    const bool total = transmits & (cosine_squared_beyond < 0.0f);
+    const float f = fresnel(cosine, cosine_squared_beyond, eta);
+    const Spectrum black = make3(0.0f, 0.0f, 0.0f);
+    Split split;
+    split.reflected = where(w.fresnel != 0u, scaled(w.reflection, f), plus(w.reflection, where(total, w.transmission, black)));
+    split.refracted = where(total, black, where(w.fresnel != 0u, scaled(w.transmission, 1.0f - f), w.transmission));
+    return split;
+}

@@ -1,0 +1,76 @@
+// Which transparent objects a ray is inside of: a side array of INTERIOR_SIZE entries per ray (Schmidt & Budge, JGT 7(2) 2002).
+#pragma once
+#include "generated/constants.h"
+#include "kernels/core/scene.cl"
+
+/// An entry is (material + 1) << 8 | how often it was entered; 0 is free.
+typedef struct {
+    uint entries[INTERIOR_SIZE];
+} Interior;
+
+#define FOR_EACH_ENTRY(k) _Pragma("unroll") for (uint k = 0u; k < INTERIOR_SIZE; ++k)
+
+FUNCTION Interior interior_load(const global uint *interiors, uint slot) {
+    Interior interior;
+    FOR_EACH_ENTRY(k) interior.entries[k] = interiors[slot * INTERIOR_SIZE + k];
+    return interior;
+}
+FUNCTION void interior_store(global uint *interiors, uint slot, Interior interior) {
+    FOR_EACH_ENTRY(k) interiors[slot * INTERIOR_SIZE + k] = interior.entries[k];
+}
+
+FUNCTION bool interior_contains(Interior interior, uint material) {
+    bool found = false;
+    FOR_EACH_ENTRY(k) found |= interior.entries[k] >> 8 == material + 1u;
+    return found;
+}
+
+FUNCTION Interior interior_entered(Interior interior, uint material) {
+    bool placed = interior_contains(interior, material);
+    FOR_EACH_ENTRY(k) {
+        const uint entry = interior.entries[k];
+        const uint once_more = entry >> 8 == material + 1u ? entry + 1u : entry;
+        interior.entries[k] = ((entry == 0u) & !placed) ? (material + 1u) << 8 | 1u : once_more;
+        placed |= entry == 0u;
+    }
+    return interior;
+}
+
+FUNCTION Interior interior_left(Interior interior, uint material) {
+    FOR_EACH_ENTRY(k) {
+        const uint entry = interior.entries[k];
+        const uint once_less = (entry & 0xffu) == 1u ? 0u : entry - 1u;
+        interior.entries[k] = entry >> 8 == material + 1u ? once_less : entry;
+    }
+    return interior;
+}
+
+FUNCTION Interior where(int c, Interior a, Interior b) {
+    FOR_EACH_ENTRY(k) a.entries[k] = c ? a.entries[k] : b.entries[k];
+    return a;
+}
+
+/// The medium that counts: the entry of the highest priority, of the lowest number among equals.
+typedef struct {
+    float eta;
+    uint priority;
+    bool any;  ///< false: outside of everything, eta is 1
+} Medium;
+
+FUNCTION Medium interior_medium(Interior interior, const global Material *materials) {
+    Medium medium = {1.0f, 0u, false};
+    uint best = 0u;
+    FOR_EACH_ENTRY(k) {
+        const uint entry = interior.entries[k];
+        const uint material = max(entry >> 8, 1u) - 1u;
+        const uint priority = materials[material].priority;
+        const bool same = (priority == medium.priority) & (material < best);
+        const bool better = (entry != 0u) & (!medium.any | (priority > medium.priority) | same);
+        medium.eta = better ? materials[material].eta : medium.eta;
+        medium.priority = better ? priority : medium.priority;
+        medium.any |= better;
+        best = better ? material : best;
+    }
+    return medium;
+}
+#undef FOR_EACH_ENTRY

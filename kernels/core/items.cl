@@ -1,0 +1,23 @@
+// The loops over items: the only lines that know a CPU from a GPU.
+#pragma once
+#include "kernels/core/items.h"
+
+#ifdef CPU
+// PoCL says so of loops that a later pass does vectorise.
+#pragma clang diagnostic ignored "-Wpass-failed"
+#define ITEMS_PER_WORK_ITEM 64u
+/// One chunk of items that the compiler makes 16 wide. The body must be flat, and no two items of a chunk may write one address.
+#define FOR_EACH_ITEM(i, count)                                                                                      \
+    const uint first_item_ = get_global_id(0) * ITEMS_PER_WORK_ITEM;                                                 \
+    const uint last_item_ = min(first_item_ + ITEMS_PER_WORK_ITEM, count);                                           \
+    _Pragma("clang loop vectorize(assume_safety) vectorize_width(16)") for (uint i = first_item_; i < last_item_; ++i)
+/// All lanes compute every kind and select.
+#define ONLY_IF(condition)
+#else
+#define ITEMS_PER_WORK_ITEM 1u
+#define FOR_EACH_ITEM(i, count) for (uint i = get_global_id(0); i < count; i = count)
+#define ONLY_IF(condition) if (condition)
+#endif
+/// The same chunk, one item after another: for divergent work and for sums into shared places.
+#define FOR_EACH_ITEM_SERIALLY(i, count) \
+    for (uint i = get_global_id(0) * ITEMS_PER_WORK_ITEM; i < min((uint)(get_global_id(0) + 1u) * ITEMS_PER_WORK_ITEM, count); ++i)

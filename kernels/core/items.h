@@ -1,0 +1,69 @@
+/// What travels between stages: arrays of plain records, and lists of indices into them.
+#pragma once
+#include "kernels/core/portable.h"
+
+#define RAY_CAMERA 0u
+#define RAY_REFLECTED 1u
+#define RAY_REFRACTED 2u
+#define RAY_SHADOW 3u
+#define RAY_KINDS 4u
+
+/// What tracing needs; 32 bytes. It begins at t = 0 and ends at t_max. The direction has unit length in the world, but no formula assumes so.
+typedef struct {
+    vec3 origin;
+    float t_max;
+    vec3 direction;
+    uint kind;  ///< one of RAY_KINDS, for the counts
+} Ray;
+
+#define NO_HIT 0xffffffffu
+
+/// The closest hit of a ray; 16 bytes. `primitive` numbers all primitives in scene order, or is NO_HIT; u, v are the kind's own parameters.
+typedef struct {
+    float t;
+    uint primitive;
+    float u, v;
+} Hit;
+
+/// State of a Whitted or path-traced ray; 32 bytes.
+typedef struct {
+    Spectrum throughput;  ///< what its radiance counts in its sample
+    uint slot;            ///< its sample: an entry of the running batch
+    uint branch;          ///< hash of the way from the eye to here, for random numbers
+    uint depth;           ///< 1 for rays from the eye
+    float bsdf_pdf;       ///< [1/sr]; 0: no other strategy could have made this ray
+    uint passes;          ///< interfaces passed that a medium of higher priority hides
+} Path;
+
+#define SURFACE_HIT 1u     ///< the ray hit something
+#define SURFACE_ENTERS 2u  ///< it comes from outside the object
+#define SURFACE_PASSES 4u  ///< a medium of higher priority hides the interface: the ray goes straight on
+
+/// Where a ray met the scene, ready for every later stage; 64 bytes.
+typedef struct {
+    vec3 p;
+    uint material;
+    vec3 offset;  ///< geometric unit normal on the side of `wo`, times a bound on the distance from p to the true surface
+    uint flags;   ///< SURFACE_...
+    vec3 normal;  ///< shading normal, unit length, on the side of `wo`
+    float eta;    ///< index of refraction on the side of `wo` over that beyond
+    vec3 wo;      ///< unit length, back along the ray
+    uint spare;
+} SurfacePoint;
+
+/// Rays and hits that one work-item of a tracing stage has seen, by kind of ray.
+typedef struct {
+    uint rays[RAY_KINDS], hits[RAY_KINDS];
+} Tally;
+
+/// Radiance of one sample in fixed point: unit 2^-32.
+typedef struct {
+    int64 sum[3];
+} Sample;
+
+/// A pixel's exact sums; `odd` has the samples of odd number only, squares are 128 bits wide, low half first, in units of 2^-64.
+typedef struct {
+    int64 sum[3], odd[3];
+    uint64 squares[3][2];
+    uint count, odd_count;
+} FilmPixel;

@@ -1,0 +1,29 @@
+// From here on geometry written on `real`, `real3` and `mask` has 8 lanes: one ray against a block of primitives. May be included again.
+#include "kernels/core/portable.h"
+
+#undef real
+#undef real3
+#undef mask
+#undef LANE
+#define real float8
+#define real3 vec3x8
+#define mask int8
+/// Values of a whole block's column: lane j is primitive j.
+#define LANE(column, j) (*(const global float8 *)(column))
+
+#ifndef LANES_8
+#define LANES_8
+typedef struct {
+    float8 x, y, z;
+} vec3x8;
+#include "kernels/core/vec_functions.cl"
+
+/// Bit j is set where lane j is true.
+FUNCTION uint mask_bits(int8 m) {
+#ifdef __AVX__
+    return (uint)__builtin_ia32_movmskps256(as_float8(m));
+#else
+    return (uint)((as_ulong(convert_char8(m)) & 0x8040201008040201ul) * 0x0101010101010101ul >> 56);
+#endif
+}
+#endif

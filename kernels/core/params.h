@@ -1,0 +1,28 @@
+/// Small structs that kernels take by value.
+#pragma once
+#include "kernels/core/portable.h"
+
+#define PIXEL_CORNER 0u
+#define PIXEL_CENTER 1u
+#define PIXEL_RANDOM 2u
+
+/// A pinhole: the ray through picture point (x, y) in [0, 1]², from the top left, has direction corner + x right + y down.
+typedef struct {
+    vec3 position, corner, right, down;
+    uint width, height;
+} Camera;
+
+/// Which samples of which pixels a batch holds: slot = pixel in batch × samples + sample - first_sample.
+typedef struct {
+    uint pixels, first_sample, samples;
+    uint spp;             ///< samples per pixel of the whole render
+    uint columns, rows;  ///< their grid: columns * rows = spp
+    uint seed;
+    uint position;  ///< PIXEL_...
+} BatchParams;
+
+typedef struct {
+    uint max_depth;   ///< rays in a chain, the eye ray being 1
+    uint max_passes;  ///< hidden interfaces that a chain may pass beyond max_depth
+    float threshold;  ///< rays of smaller weight are not spawned
+} WhittedParams;

@@ -1,0 +1,28 @@
+/// Types that mean the same in OpenCL C and C++, so that one header declares a record for both.
+/// Stored records consist of 4-byte scalars and structs of floats: no compiler can pad them.
+#pragma once
+
+#ifdef __cplusplus
+#include <cstdint>
+#include <glm/glm.hpp>
+using uint = std::uint32_t;
+using int64 = std::int64_t;
+using uint64 = std::uint64_t;
+using vec2 = glm::vec2;
+using vec3 = glm::vec3;
+#else
+// Contraction would make an edge of a triangle differ from its neighbour's; fma is written where it is wanted.
+#pragma OPENCL FP_CONTRACT OFF
+typedef long int64;
+typedef ulong uint64;
+typedef struct {
+    float x, y;
+} vec2;
+typedef struct {
+    float x, y, z;
+} vec3;
+#define FUNCTION static inline __attribute__((always_inline, overloadable))
+#endif
+
+/// Radiance [W/(m² sr)], reflectance or throughput: linear Rec. 709 red, green, blue.
+typedef vec3 Spectrum;

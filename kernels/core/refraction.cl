@@ -1,0 +1,15 @@
+// Snell's and Fresnel's laws at a smooth interface.
+#pragma once
+#include "kernels/core/lanes_1.cl"
+
+/// Squared cosine of the refracted ray; negative where there is total internal reflection. `eta`: index on this side over that beyond.
+/// Factored, so that grazing angles keep their digits; every decision about the interface is made by this one value.
+FUNCTION float refracted_cosine_squared(float cosine, float eta) { return 1.0f - eta * eta * (1.0f - cosine) * (1.0f + cosine); }
+
+/// Fresnel's reflectance of unpolarised light; 1 for total internal reflection. The mean of the s- and p-polarised ones.
+FUNCTION float fresnel(float cosine, float cosine_squared_beyond, float eta) {
+    const float beyond = sqrt(maximum(cosine_squared_beyond, 0.0f));
+    const float s = (eta * cosine - beyond) / (eta * cosine + beyond);
+    const float p = (cosine - eta * beyond) / (cosine + eta * beyond);
+    return cosine_squared_beyond < 0.0f ? 1.0f : 0.5f * (s * s + p * p);
+}

@@ -1,0 +1,15 @@
+// Access to the scene's arena.
+#pragma once
+#include "kernels/core/scene.h"
+
+typedef struct {
+    const global SceneHeader *header;
+    const global uchar *arena;
+} Scene;
+#define SCENE_PARAMS const global SceneHeader *restrict scene_header, const global uchar *restrict scene_arena
+#define SCENE ((Scene){scene_header, scene_arena})
+/// The records of a span of the header, as a typed pointer.
+#define SCENE_ARRAY(scene, Record, span) ((const global Record *)((scene).arena + 64ul * (scene).header->span.offset))
+
+/// A list of live indices, or part of it: item i of a stage is live[first + i].
+#define LIVE_PARAMS const global uint *restrict live, uint first, uint count

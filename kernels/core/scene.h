@@ -1,0 +1,46 @@
+/// The scene as the device sees it: a header of spans into one read-only arena.
+#pragma once
+#include "kernels/core/portable.h"
+
+/// Records of one type in the arena: they begin at 64 * offset bytes.
+typedef struct {
+    uint offset, count;
+} Span;
+
+#define MAX_PRIMITIVE_KINDS 8u
+#define BLOCK_SIZE 8u
+
+/// What shading needs of one primitive, a cache line; the kind's own view of `words` is in its header.
+typedef struct {
+    uint kind, material;
+    uint words[14];
+} ShadingRecord;
+
+#define MATERIAL_REFLECTS 1u
+#define MATERIAL_TRANSMITS 2u
+#define MATERIAL_SPAWNS_ALWAYS 4u  ///< its rays are traced at weight 0 too
+
+/// A surface's material; 128 bytes. `words` is the kind's own.
+typedef struct {
+    uint kind, flags;
+    uint priority;      ///< of the medium inside; where several overlap, the highest counts
+    float eta;          ///< index of refraction inside
+    Spectrum emission;  ///< radiance
+    uint words[25];
+} Material;
+
+/// A light; 64 bytes. `words` is the kind's own.
+typedef struct {
+    uint kind;
+    uint words[15];
+} Light;
+
+typedef struct {
+    Span blocks[MAX_PRIMITIVE_KINDS];  ///< per kind in use: blocks of BLOCK_SIZE primitives
+    Span nodes;                        ///< the accelerator's own
+    Span shading;                      ///< ShadingRecord per primitive, in scene order
+    Span vertex_normals;               ///< VertexNormals of smooth triangles
+    Span materials, lights;
+    Spectrum background, ambient;
+    float extent;  ///< largest magnitude of a coordinate of the scene's bounds
+} SceneHeader;

@@ -1,0 +1,25 @@
+// Surfaces of all kinds of primitives in use.
+#pragma once
+#include "kernels/core/items.cl"
+#include "generated/primitive_surfaces.cl"
+#include "generated/primitives.cl"
+
+FUNCTION Surface where(int c, Surface a, Surface b) {
+    Surface r;
+    r.p = where(c, a.p, b.p);
+    r.error = where(c, a.error, b.error);
+    r.geometric = where(c, a.geometric, b.geometric);
+    r.normal = where(c, a.normal, b.normal);
+    return r;
+}
+
+/// Where the ray met the primitive that `record` describes.
+FUNCTION Surface primitive_surface(Scene scene, ShadingRecord record, Ray ray, Hit hit) {
+    Surface surface;
+    surface.p = ray.origin, surface.error = make3(0.0f, 0.0f, 0.0f);
+    surface.geometric = negate(ray.direction), surface.normal = surface.geometric;
+#define CASE(KIND, Record, name) ONLY_IF(record.kind == KIND) surface = where(record.kind == KIND, name##_surface(scene, record, ray, hit), surface);
+    FOR_EACH_PRIMITIVE(CASE)
+#undef CASE
+    return surface;
+}

@@ -1,0 +1,26 @@
+// Sphere: the surface at a hit.
+#pragma once
+#include "kernels/core/lanes_1.cl"
+#include "kernels/core/items.h"
+#include "kernels/core/scene.cl"
+#include "kernels/primitives/sphere.h"
+#include "kernels/primitives/surface.h"
+
+FUNCTION SphereShading sphere_view(ShadingRecord record) {
+    SphereShading sphere;
+    sphere.center = make3(as_float(record.words[0]), as_float(record.words[1]), as_float(record.words[2]));
+    sphere.radius = as_float(record.words[3]);
+    return sphere;
+}
+
+/// The point is put back onto the sphere, so that its error does not grow with the ray's length.
+FUNCTION Surface sphere_surface(Scene scene, ShadingRecord record, Ray ray, Hit hit) {
+    const SphereShading sphere = sphere_view(record);
+    const float radius = fabs(sphere.radius);
+    Surface surface;
+    surface.geometric = unit(plus(minus(ray.origin, sphere.center), scaled(ray.direction, hit.t)));
+    surface.normal = surface.geometric;
+    surface.p = plus(sphere.center, scaled(surface.geometric, radius));
+    surface.error = scaled(plus(absolute(sphere.center), make3(radius, radius, radius)), 0x1p-21f);
+    return surface;
+}

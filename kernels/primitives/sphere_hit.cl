@@ -1,0 +1,29 @@
+// Template: crossing of a ray with a sphere, for the lane width in force.
+
+/// Nearest crossing in (0, t_max]. Distance of closest approach instead of b² - ac keeps precision for small and distant spheres
+/// (Haines, Günther, Akenine-Möller, Ray Tracing Gems 2019, ch. 7). A ray that begins on the sphere, within rounding, does not meet it there.
+FUNCTION Crossing sphere_crossing(const global SphereBlock *block, uint j, LaneRay ray) {
+    const real3 center = make3(LANE(block->x, j), LANE(block->y, j), LANE(block->z, j));
+    const real radius = LANE(block->radius, j);
+    const real3 f = minus(ray.origin, center);
+    const real a = dot3(ray.direction, ray.direction);
+    const real b = -dot3(f, ray.direction);
+    const real3 to_axis = plus(f, scaled(ray.direction, b / a));
+    const real discriminant = radius * radius - dot3(to_axis, to_axis);
+
+    Crossing crossing;
+    crossing.u = 0.0f, crossing.v = 0.0f, crossing.t = 0.0f;
+    crossing.hit = discriminant >= 0.0f;
+    if (mask_bits(crossing.hit) == 0u) return crossing;
+
+    const real ff = dot3(f, f);
+    const real c = ff - radius * radius;
+    const real q = b + copysign(sqrt(a * discriminant), b);
+    const mask starts_on = fabs(c) <= 0x1p-22f * ff;
+    const real other = where(starts_on, (real)(-1.0f), c / q);  // the root that is 0 at the surface
+    const real near = minimum(other, q / a), far = maximum(other, q / a);
+    crossing.t = where((near > 0.0f) & (radius > 0.0f), near, far);
+    crossing.hit &= (crossing.t > 0.0f) & (crossing.t <= ray.t_max);
+    const real3 r = make3(fabs(radius), fabs(radius), fabs(radius));
+    return within_box(crossing, minus(center, r), plus(center, r), ray);
+}

@@ -1,0 +1,10 @@
+/// Surface: what a primitive knows of a point on it; never stored.
+#pragma once
+#include "kernels/core/portable.h"
+
+typedef struct {
+    vec3 p;
+    vec3 error;      ///< bounds, per component, the distance from p to the true surface
+    vec3 geometric;  ///< unit normal to the outside
+    vec3 normal;     ///< shading normal, unit length, to the same side
+} Surface;

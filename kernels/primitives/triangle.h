@@ -1,0 +1,13 @@
+/// Triangle with flat shading; both sides are visible, the outside is where its vertices run counterclockwise.
+#pragma once
+#include "kernels/core/scene.h"
+
+typedef struct {
+    uint primitive[BLOCK_SIZE];
+    float a[3][BLOCK_SIZE], b[3][BLOCK_SIZE], c[3][BLOCK_SIZE];  ///< vertices, by axis
+} TriangleBlock;
+
+/// View of ShadingRecord.words.
+typedef struct {
+    vec3 a, b, c;
+} TriangleShading;

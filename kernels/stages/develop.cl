@@ -1,0 +1,11 @@
+// From exact sums to a picture.
+#include "kernels/core/items.cl"
+#include "kernels/core/lanes_1.cl"
+
+/// picture[i] is the mean radiance of pixel i, row by row from the top; black where there is no sample.
+kernel void develop(uint count, const global FilmPixel *restrict film, global Spectrum *restrict picture) {
+    FOR_EACH_ITEM(i, count) {
+        const float scale = 0x1p-32f / (float)(int)max(film[i].count, 1u);
+        picture[i] = make3((float)film[i].sum[0] * scale, (float)film[i].sum[1] * scale, (float)film[i].sum[2] * scale);
+    }
+}

@@ -1,0 +1,30 @@
+// Starts paths at the eye.
+#include "kernels/cameras/perspective.cl"
+#include "generated/sampler.cl"
+
+/// Slot i becomes the ray of sample first_sample + i % samples of pixel pixels[i / samples] (x in the lower 16 bits, y in the upper).
+kernel void generate_camera_rays(Camera camera, BatchParams batch, const global uint *restrict pixels, uint count, global Ray *restrict rays,
+                                 global Path *restrict paths, global uint *restrict live, global Sample *restrict samples) {
+    FOR_EACH_ITEM(i, count) {
+        const uint entry = i / batch.samples;
+        const uint pixel = pixels[entry];
+        const uint sample = batch.first_sample + (i - entry * batch.samples);
+        const uint px = pixel & 0xffffu, py = pixel >> 16;
+        const vec2 jitter = sampler_pixel_position(pixel, sample, batch.columns, batch.rows, batch.seed);
+        const bool jittered = (batch.position == PIXEL_RANDOM) | (batch.spp > 1u);
+        const float u = jittered ? jitter.x : 0.5f, v = jittered ? jitter.y : 0.5f;
+        const bool corner = batch.position == PIXEL_CORNER;
+        const float x = corner ? (float)(int)px / (float)(int)(max(camera.width, 2u) - 1u) : ((float)(int)px + u) / (float)(int)camera.width;
+        const float y = corner ? (float)(int)py / (float)(int)(max(camera.height, 2u) - 1u) : ((float)(int)py + v) / (float)(int)camera.height;
+        rays[i] = camera_ray(camera, x, y);
+
+        Path path;
+        path.throughput = make3(1.0f, 1.0f, 1.0f);
+        path.slot = i, path.depth = 1u, path.passes = 0u;
+        path.branch = hash(pixel ^ hash(sample ^ hash(batch.seed + 1u)));
+        path.bsdf_pdf = 0.0f;
+        paths[i] = path;
+        live[i] = i;
+        samples[i].sum[0] = 0l, samples[i].sum[1] = 0l, samples[i].sum[2] = 0l;
+    }
+}

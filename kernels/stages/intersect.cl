@@ -1,0 +1,16 @@
+// Closest hits of a list of rays, one ray after another: for rays that go their own ways.
+#include "kernels/accelerators/levels.cl"
+
+/// hits[i] is the closest hit of ray live[first + i]; a hit beyond t_max or none has primitive NO_HIT. One tally per work-item.
+kernel void intersect(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, global Hit *restrict hits, global Tally *restrict tallies) {
+    const Scene scene = SCENE;
+    Tally tally = {{0u}, {0u}};
+    FOR_EACH_ITEM_SERIALLY(i, count) {
+        const Ray ray = rays[live[first + i]];
+        const Hit hit = scene_closest_hit(scene, ray);
+        hits[i] = hit;
+        tally.rays[ray.kind] += 1u;
+        tally.hits[ray.kind] += hit.primitive != NO_HIT;
+    }
+    tallies[get_global_id(0)] = tally;
+}

@@ -1,0 +1,31 @@
+// Visibility along shadow rays, in packets of 16 neighbours: the rays of a row go to one light.
+#include "kernels/accelerators/levels.cl"
+
+/// Work-items (chunk, row). Row r's rays are live[r * stride ...], counts[r] of them, each an index into `rays` and `visible`; visible[k]
+/// becomes 0 where something is met before the ray's t_max, and stays as it is elsewhere. One tally per work-item.
+kernel void trace_shadow_rays(SCENE_PARAMS, const global uint *restrict live, const global uint *restrict counts, uint stride,
+                              const global Ray *restrict rays, global uchar *restrict visible, global Tally *restrict tallies) {
+    const Scene scene = SCENE;
+    const uint row = get_global_id(1);
+    const global uint *list = live + row * stride;
+    Tally tally = {{0u}, {0u}};
+    const uint end = min((uint)(get_global_id(0) + 1u) * ITEMS_PER_WORK_ITEM, counts[row]);
+    for (uint begin = get_global_id(0) * ITEMS_PER_WORK_ITEM; begin < end; begin += PACKET) {
+        const Packet packet = packet_of(rays, list, begin, end);
+        int16 occluded = (int16)(0);
+        for (uint axis = 0u; axis < 3u; ++axis) {
+            int16 lanes;
+            ray_x16 ray = packet_rays(&packet, axis, scene.header->extent, &lanes);
+            const int16 alive = ray.t_max >= 0.0f;
+            if (mask_bits(alive) == 0u) continue;
+            scene_end_occluded(scene, &ray);
+            occluded |= alive & (ray.t_max < 0.0f);
+        }
+        tally.rays[RAY_SHADOW] += min(PACKET, end - begin);
+        for (uint bits = mask_bits(occluded); bits != 0u; bits &= bits - 1u) {
+            visible[list[begin + lowest_bit(bits)]] = 0;
+            tally.hits[RAY_SHADOW] += 1u;
+        }
+    }
+    tallies[get_global_id(0) + get_global_size(0) * row] = tally;
+}

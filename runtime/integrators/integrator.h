@@ -1,0 +1,46 @@
+/// Integrators: how light gets to the eye.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/wavefront/batch.h"
+#include "runtime/wavefront/device_scene.h"
+#include "runtime/wavefront/ray_counter.h"
+
+namespace brandung {
+
+/// What a scene lacks, so that an integrator neither compiled, allocated nor launched it.
+struct Skipped {
+    std::string name, why;
+};
+
+class Integrator {
+public:
+    virtual ~Integrator() = default;
+    /// Computes the radiance of the batch's samples. Returns when everything is queued; the device may still be at work.
+    virtual void render(const Batch &batch, Buffer<Sample> &samples) = 0;
+    virtual RayCounts counts() const = 0;
+    /// Contributions that were not finite, and so were not added.
+    virtual std::uint64_t refused() const = 0;
+    /// Bytes that its waves take at most, whatever the picture's size and samples.
+    virtual std::size_t wave_bytes() const = 0;
+    virtual std::vector<Skipped> skipped() const = 0;
+};
+
+struct IntegratorJob {
+    Device &device;
+    const Scene &scene;
+    const CompiledScene &compiled;
+    const DeviceScene &on_device;
+    uint batch;  ///< rays per wave
+};
+struct IntegratorKind {
+    const char *name;
+    std::unique_ptr<Integrator> (*make)(const IntegratorJob &job);
+};
+const std::vector<IntegratorKind> &integrator_kinds();
+/// Throws SceneError with the list of names if there is none of that name.
+const IntegratorKind &find_integrator(const std::string &name);
+
+}  // namespace brandung

@@ -1,0 +1,24 @@
+#include "runtime/integrators/integrator.h"
+#include "scene/error.h"
+
+namespace brandung {
+
+std::unique_ptr<Integrator> make_whitted(const IntegratorJob &job);
+
+const std::vector<IntegratorKind> &integrator_kinds() {
+    static const std::vector<IntegratorKind> kinds = {
+        {"whitted", make_whitted},
+    };
+    return kinds;
+}
+
+const IntegratorKind &find_integrator(const std::string &name) {
+    std::string known;
+    for (const IntegratorKind &kind : integrator_kinds()) {
+        if (kind.name == name) return kind;
+        known += std::string(known.empty() ? "" : ", ") + kind.name;
+    }
+    throw SceneError("integrator: there is no '" + name + "', only " + known);
+}
+
+}  // namespace brandung

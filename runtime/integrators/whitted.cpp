@@ -1,0 +1,160 @@
+/// Whitted's integrator (CACM 23(6) 1980): the loop over kernels/integrators/whitted.cl.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "runtime/integrators/integrator.h"
+#include "runtime/wavefront/compaction.h"
+#include "runtime/wavefront/levels.h"
+
+namespace brandung {
+namespace {
+
+constexpr const char *whitted_cl = "kernels/integrators/whitted.cl";
+constexpr uint lights_per_block = 8;
+constexpr uint max_passes = 8;  ///< hidden interfaces that a chain may pass
+
+/// Mirrored and refracted rays: only where a material sends them.
+struct Secondary {
+    Secondary(const IntegratorJob &job, uint branching)
+        : spawn(job.device, whitted_cl, "spawn_whitted", job.on_device.lists()),
+          compact(job.device, std::size_t{job.batch} * branching, 1),
+          alive(job.device, std::size_t{job.batch} * branching) {}
+    Kernel spawn;
+    Compaction compact;
+    Buffer<std::uint8_t> alive;
+    std::size_t bytes() const { return compact.bytes() + alive.bytes(); }
+};
+
+/// Shadow rays of a block of lights: row r, of `stride` slots, goes to the block's r-th light. Only where there are lights.
+struct Shadows {
+    Shadows(const IntegratorJob &job, uint rows)
+        : stride(job.batch + 16),  // strides that are powers of two fall into the same cache sets
+          rows(rows),
+          spawn(job.device, whitted_cl, "spawn_shadow_rays", job.on_device.lists()),
+          trace(job.device, "kernels/stages/trace_shadow_rays.cl", "trace_shadow_rays", job.on_device.lists()),
+          compact(job.device, stride, rows),
+          rays(job.device, std::size_t{stride} * rows),
+          visible(job.device, std::size_t{stride} * rows),
+          live(job.device, std::size_t{stride} * rows) {}
+    uint stride, rows;
+    Kernel spawn, trace;
+    Compaction compact;
+    Buffer<Ray> rays;
+    Buffer<std::uint8_t> visible;
+    Buffer<uint> live;
+    std::size_t bytes() const { return compact.bytes() + rays.bytes() + visible.bytes() + live.bytes(); }
+};
+
+class WhittedIntegrator : public Integrator {
+public:
+    explicit WhittedIntegrator(const IntegratorJob &job)
+        : scene_(job.on_device),
+          light_count_(job.compiled.header.lights.count),
+          branching_(branching(job.compiled)),
+          transmits_(job.compiled.transmits),
+          params_{job.scene.integrator.max_depth, transmits_ ? max_passes : 0, job.scene.integrator.threshold},
+          generate_(job.device, "kernels/stages/generate_camera_rays.cl", "generate_camera_rays", scene_.lists()),
+          intersect_packets_(job.device, "kernels/stages/intersect_packets.cl", "intersect_packets", scene_.lists()),
+          evaluate_(job.device, "kernels/stages/evaluate_surfaces.cl", "evaluate_surfaces", scene_.lists()),
+          shade_(job.device, whitted_cl, "shade_whitted", scene_.lists()),
+          accumulate_(job.device, "kernels/stages/accumulate.cl", "accumulate", {}),
+          levels_(job.device, job.batch, branching_, branching_ == 0 ? 1 : params_.max_depth + params_.max_passes, job.compiled.interior_size),
+          hits_(job.device, job.batch),
+          surfaces_(job.device, job.batch),
+          contributions_(job.device, job.batch),
+          refused_(job.device, 1),
+          no_shadows_(job.device, 1),
+          counter_(job.device, intersect_packets_.work_items(job.batch) * std::clamp(light_count_, 1u, lights_per_block)) {
+        if (branching_ > 0) {
+            intersect_.emplace(job.device, "kernels/stages/intersect.cl", "intersect", scene_.lists());
+            secondary_.emplace(job, branching_);
+        }
+        if (light_count_ > 0) shadows_.emplace(job, std::min(light_count_, lights_per_block));
+        refused_.fill_zero();
+    }
+
+    void render(const Batch &batch, Buffer<Sample> &samples) override {
+        Level &first = levels_.start(batch.count());
+        if (transmits_) first.interiors.fill_zero();
+        generate_(batch.count(), batch.camera, batch.params, batch.pixels, batch.count(), first.rays, first.paths, first.live, samples);
+        while (const auto wave = levels_.next()) {
+            trace(*wave);
+            evaluate_(wave->count, scene_, *wave, wave->level.rays, hits_, wave->level.interiors, surfaces_);
+            if (wave->children) spawn(*wave);
+            for (uint light = 0; light == 0 || light < light_count_; light += lights_per_block) shade(*wave, light, samples);
+            if (wave->children) levels_.add_children(*wave, secondary_->compact.counts().read().at(0));
+        }
+    }
+
+    RayCounts counts() const override { return counter_.read(); }
+    std::uint64_t refused() const override { return refused_.read().at(0); }
+    std::size_t wave_bytes() const override {
+        return levels_.bytes_at_most() + hits_.bytes() + surfaces_.bytes() + contributions_.bytes() + counter_.bytes() +
+               (secondary_ ? secondary_->bytes() : 0) + (shadows_ ? shadows_->bytes() : 0);
+    }
+    std::vector<Skipped> skipped() const override {
+        std::vector<Skipped> skipped;
+        if (!secondary_) skipped.push_back({"spawn_whitted", "no material reflects or transmits"});
+        if (!transmits_) skipped.push_back({"interior", "no material transmits: refracted rays and lists of media are not stored"});
+        if (!shadows_) skipped.push_back({"trace_shadow_rays", "there are no lights"});
+        return skipped;
+    }
+
+private:
+    /// Rays from the eye stay together, the others go their own ways.
+    void trace(const Wave &wave) {
+        Kernel &intersect = wave.generation == 0 ? intersect_packets_ : *intersect_;
+        intersect(wave.count, scene_, wave, wave.level.rays, hits_, counter_.tallies());
+        counter_.add(intersect.work_items(wave.count));
+    }
+
+    void spawn(const Wave &wave) {
+        Level &below = *wave.children;
+        secondary_->spawn(wave.count, scene_, params_, wave, wave.level.paths, surfaces_, wave.level.interiors, wave.base, below.rays, below.paths,
+                          below.interiors, secondary_->alive);
+        const uint slots = wave.count * branching_;
+        secondary_->compact(secondary_->alive, slots, slots, 1, wave.base, below.end, below.live);
+    }
+
+    /// A block of lights, from `light` on.
+    void shade(const Wave &wave, uint light, Buffer<Sample> &samples) {
+        const uint rows = std::min(light_count_ - light, lights_per_block), stride = shadows_ ? shadows_->stride : 0;
+        if (rows > 0) trace_shadows(wave.count, light, rows);
+        const Buffer<std::uint8_t> &visible = shadows_ ? shadows_->visible : no_shadows_;
+        shade_(wave.count, scene_, wave, light, rows, stride, wave.level.paths, surfaces_, visible, contributions_);
+        accumulate_(wave.count, wave, wave.level.paths, contributions_, samples, refused_);
+    }
+
+    void trace_shadows(uint count, uint light, uint rows) {
+        Shadows &shadows = *shadows_;
+        shadows.spawn(Grid(count, rows), scene_, light, shadows.stride, count, surfaces_, shadows.rays, shadows.visible);
+        shadows.compact(shadows.visible, shadows.stride, count, rows, 0, 0, shadows.live);
+        shadows.trace(Grid(count, rows), scene_, shadows.live, shadows.compact.counts(), shadows.stride, shadows.rays, shadows.visible,
+                      counter_.tallies());
+        counter_.add(shadows.trace.work_items(count) * rows);
+    }
+
+    const DeviceScene &scene_;
+    uint light_count_, branching_;
+    bool transmits_;
+    WhittedParams params_;
+    Kernel generate_, intersect_packets_, evaluate_, shade_, accumulate_;
+    std::optional<Kernel> intersect_;
+    Levels levels_;
+    Buffer<Hit> hits_;
+    Buffer<SurfacePoint> surfaces_;
+    Buffer<Spectrum> contributions_;
+    Buffer<uint> refused_;
+    Buffer<std::uint8_t> no_shadows_;  ///< stands for `visible` where there are no lights
+    RayCounter counter_;
+    std::optional<Secondary> secondary_;
+    std::optional<Shadows> shadows_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_whitted(const IntegratorJob &job) { return std::make_unique<WhittedIntegrator>(job); }
+
+}  // namespace brandung

@@ -1,0 +1,138 @@
+#include "runtime/opencl/device.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "runtime/opencl/implementation.h"
+
+namespace brandung {
+namespace {
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+}
+
+std::string why_unsuitable(const cl::Device &device) {
+    const std::string extensions = device.getInfo<CL_DEVICE_EXTENSIONS>();
+    if (!device.getInfo<CL_DEVICE_AVAILABLE>()) return "is not available";
+    if (!device.getInfo<CL_DEVICE_COMPILER_AVAILABLE>()) return "has no compiler";
+    if (extensions.find("cl_khr_int64_base_atomics") == std::string::npos) return "lacks cl_khr_int64_base_atomics";
+    if (!(device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT)) return "does not round divisions correctly";
+    return "";
+}
+
+DeviceInfo describe(const cl::Device &device) {
+    DeviceInfo info;
+    info.platform = cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>()).getInfo<CL_PLATFORM_NAME>();
+    info.name = device.getInfo<CL_DEVICE_NAME>();
+    info.version = device.getInfo<CL_DEVICE_VERSION>();
+    info.unsuitable = why_unsuitable(device);
+    info.cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
+    info.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+    info.memory = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
+    info.largest_allocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
+    return info;
+}
+
+struct Candidate {
+    DeviceInfo info;
+    cl::Device device;
+};
+
+/// CPUs first, otherwise in the platforms' order.
+std::vector<Candidate> candidates() {
+    std::vector<cl::Platform> platforms;
+    try {
+        cl::Platform::get(&platforms);
+    } catch (const cl::Error &) {
+        return {};  // the loader reports an error where no platform is installed
+    }
+    std::vector<Candidate> found;
+    for (const cl::Platform &platform : platforms) {
+        std::vector<cl::Device> devices;
+        try {
+            platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
+        } catch (const cl::Error &) {
+            continue;  // a platform without devices
+        }
+        for (const cl::Device &device : devices) found.push_back({describe(device), device});
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Candidate &a, const Candidate &b) { return a.info.cpu > b.info.cpu; });
+    return found;
+}
+
+bool matches(const Candidate &candidate, const std::string &name) {
+    return lower(candidate.info.platform + " " + candidate.info.name).find(lower(name)) != std::string::npos;
+}
+
+cl::Device limited(const cl::Device &device, uint threads) {
+    if (threads == 0 || threads >= device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>()) return device;
+    const cl_device_partition_property properties[] = {CL_DEVICE_PARTITION_BY_COUNTS, static_cast<cl_device_partition_property>(threads),
+                                                       CL_DEVICE_PARTITION_BY_COUNTS_LIST_END, 0};
+    std::vector<cl::Device> parts;
+    cl::Device whole = device;
+    whole.createSubDevices(properties, &parts);
+    return parts.at(0);
+}
+
+std::string nothing_found(const std::string &name, const std::vector<Candidate> &all) {
+    if (all.empty()) return "no OpenCL device found: install one, for a CPU Debian's package pocl-opencl-icd";
+    std::string text = name.empty() ? "no suitable OpenCL device" : "no suitable OpenCL device matches '" + name + "'";
+    for (const Candidate &candidate : all)
+        text += "; '" + candidate.info.name + "' " + (candidate.info.unsuitable.empty() ? "does not match" : candidate.info.unsuitable);
+    return text;
+}
+
+}  // namespace
+
+Device Device::select(const std::string &name, uint threads) {
+    const std::vector<Candidate> all = candidates();
+    const auto chosen =
+        std::find_if(all.begin(), all.end(), [&](const Candidate &candidate) { return candidate.info.unsuitable.empty() && matches(candidate, name); });
+    if (chosen == all.end()) throw Error(nothing_found(name, all));
+    return attempt("device '" + chosen->info.name + "'", [&] {
+        auto implementation = std::make_unique<Implementation>();
+        implementation->device = limited(chosen->device, chosen->info.cpu ? threads : 0);
+        implementation->info = describe(implementation->device);
+        implementation->context = cl::Context(implementation->device);
+        implementation->queue = cl::CommandQueue(implementation->context, implementation->device, CL_QUEUE_PROFILING_ENABLE);
+        return Device(std::move(implementation));
+    });
+}
+
+std::vector<std::pair<DeviceInfo, bool>> Device::list() {
+    std::vector<std::pair<DeviceInfo, bool>> devices;
+    bool chosen = false;
+    for (const Candidate &candidate : candidates()) {
+        const bool this_one = !chosen && candidate.info.unsuitable.empty();
+        devices.emplace_back(candidate.info, this_one);
+        chosen |= this_one;
+    }
+    return devices;
+}
+
+Device::Device(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
+Device::Device(Device &&) noexcept = default;
+Device::~Device() = default;
+
+const DeviceInfo &Device::info() const { return implementation_->info; }
+uint Device::items_per_work_item() const { return implementation_->info.cpu ? 64 : 1; }
+const Profile &Device::profile() const { return implementation_->profile; }
+double Device::build_seconds() const { return implementation_->build_seconds; }
+void Device::on_build(std::function<void(const std::string &)> callback) { implementation_->on_build = std::move(callback); }
+
+void Device::finish() {
+    attempt("finishing the device's work", [&] { implementation_->queue.finish(); });
+    for (const PendingLaunch &launch : implementation_->pending) {
+        const auto start = launch.event.getProfilingInfo<CL_PROFILING_COMMAND_START>();
+        const auto end = launch.event.getProfilingInfo<CL_PROFILING_COMMAND_END>();
+        KernelProfile &profile = implementation_->profile[launch.kernel];
+        profile.launches += 1;
+        profile.items += launch.items;
+        profile.milliseconds += static_cast<double>(end - start) * 1e-6;
+    }
+    implementation_->pending.clear();
+}
+
+}  // namespace brandung

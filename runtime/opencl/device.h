@@ -1,0 +1,52 @@
+/// Device: one OpenCL device with its context, queue, programs and profile. No other folder sees OpenCL's own types.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kernels/core/portable.h"
+#include "runtime/opencl/error.h"
+#include "runtime/opencl/profiler.h"
+
+namespace brandung {
+
+struct DeviceInfo {
+    std::string platform, name, version;
+    std::string unsuitable;  ///< why it cannot be used, or empty
+    bool cpu = false;
+    uint compute_units = 0;
+    std::uint64_t memory = 0, largest_allocation = 0;  ///< [bytes]
+};
+
+class Device {
+public:
+    /// The first suitable device whose platform or name contains `name` (any case), CPUs first. `threads` limits the compute units of a CPU,
+    /// 0 takes all. Throws Error if there is none, naming those that were looked at.
+    static Device select(const std::string &name = "", uint threads = 0);
+    /// All devices of all platforms; the flag says which one select("") takes.
+    static std::vector<std::pair<DeviceInfo, bool>> list();
+
+    Device(Device &&) noexcept;
+    ~Device();
+
+    const DeviceInfo &info() const;
+    /// Items that one work-item of a stage handles: a chunk on a CPU, one on a GPU.
+    uint items_per_work_item() const;
+    /// Waits until everything launched has been done, and adds its times to the profile.
+    void finish();
+    const Profile &profile() const;
+    /// Seconds spent so far in building programs.
+    double build_seconds() const;
+    /// Called with a kernel file's name before it is built.
+    void on_build(std::function<void(const std::string &)> callback);
+
+    struct Implementation;
+    Implementation &implementation() { return *implementation_; }
+
+private:
+    explicit Device(std::unique_ptr<Implementation> implementation);
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace brandung

@@ -1,0 +1,43 @@
+/// What a Device is made of; for this folder only.
+#pragma once
+#include <CL/opencl.hpp>
+
+#include <map>
+#include <vector>
+
+#include "runtime/opencl/device.h"
+
+namespace brandung {
+
+struct PendingLaunch {
+    std::string kernel;
+    std::uint64_t items;
+    cl::Event event;
+};
+
+struct Device::Implementation {
+    DeviceInfo info;
+    cl::Device device;
+    cl::Context context;
+    cl::CommandQueue queue;
+    std::map<std::string, cl::Program> programs;  ///< expanded text -> program
+    std::vector<PendingLaunch> pending;
+    Profile profile;
+    double build_seconds = 0;
+    std::function<void(const std::string &)> on_build;
+};
+
+/// Calls OpenCL; an exception of the bindings becomes an Error that says what was attempted.
+template <class Call>
+auto attempt(const std::string &what, Call call) {
+    try {
+        return call();
+    } catch (const cl::Error &error) {
+        throw Error(what + ": " + error.what() + " failed with " + status_name(error.err()));
+    }
+}
+
+/// The program of a kernel file with its includes expanded, built on first use.
+cl::Program &program_for(Device::Implementation &device, const std::string &file, const std::string &text);
+
+}  // namespace brandung

@@ -1,0 +1,29 @@
+#include <chrono>
+
+#include "runtime/opencl/implementation.h"
+
+namespace brandung {
+namespace {
+
+std::string build_options(const DeviceInfo &info) {
+    return std::string("-cl-std=CL1.2 -Werror -cl-fp32-correctly-rounded-divide-sqrt") + (info.cpu ? " -D CPU" : "");
+}
+
+}  // namespace
+
+cl::Program &program_for(Device::Implementation &device, const std::string &file, const std::string &text) {
+    if (const auto known = device.programs.find(text); known != device.programs.end()) return known->second;
+    if (device.on_build) device.on_build(file);
+    const auto start = std::chrono::steady_clock::now();
+    cl::Program program = attempt("program " + file, [&] { return cl::Program(device.context, text); });
+    try {
+        program.build(device.device, build_options(device.info).c_str());
+    } catch (const cl::Error &error) {
+        const std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.device);
+        throw BuildError("kernel file " + file + " does not build on '" + device.info.name + "': " + status_name(error.err()) + "\n" + log, log);
+    }
+    device.build_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return device.programs.emplace(text, std::move(program)).first->second;
+}
+
+}  // namespace brandung

@@ -1,0 +1,84 @@
+#include "runtime/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "runtime/wavefront/work.h"
+#include "scene/error.h"
+
+namespace brandung {
+namespace {
+
+/// Samples of one pixel that one batch takes: few, so that an interrupted picture is whole, if noisier.
+constexpr uint samples_at_once = 16;
+
+/// The divisor of spp nearest below its root: the samples' grid has that many rows.
+uint rows_of_grid(uint spp) {
+    uint rows = static_cast<uint>(std::sqrt(static_cast<double>(spp)));
+    while (spp % rows != 0) --rows;
+    return rows;
+}
+
+FilmSettings checked(const FilmSettings &film) {
+    if (film.pixel == PIXEL_CORNER && film.spp != 1) throw SceneError("pixel position 'corner' takes one sample per pixel, not " + std::to_string(film.spp));
+    return film;
+}
+
+}  // namespace
+
+Camera make_camera(const CameraDescription &description, uint width, uint height) {
+    const glm::dvec3 forward = glm::normalize(glm::dvec3(description.at) - glm::dvec3(description.from));
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(description.up)));
+    const glm::dvec3 up = glm::cross(right, forward);
+    const double half_height = std::tan(0.5 * static_cast<double>(description.fov)), half_width = half_height * width / height;
+    return {.position = description.from,
+            .corner = vec3(forward - half_width * right + half_height * up),
+            .right = vec3(2 * half_width * right),
+            .down = vec3(-2 * half_height * up),
+            .width = width,
+            .height = height};
+}
+
+Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &compiled, const DeviceScene &on_device, const CameraDescription &camera,
+                   RenderOptions options)
+    : device_(device),
+      film_settings_(checked(scene.film)),
+      options_(std::move(options)),
+      camera_(make_camera(camera, film_settings_.width, film_settings_.height)),
+      samples_per_batch_(std::min({film_settings_.spp, samples_at_once, options_.batch})),
+      integrator_(find_integrator(scene.integrator.type).make({device, scene, compiled, on_device, options_.batch})),
+      pixels_(device, options_.batch / samples_per_batch_),
+      samples_(device, options_.batch) {}
+
+std::size_t Renderer::wave_bytes() const { return integrator_->wave_bytes() + pixels_.bytes() + samples_.bytes(); }
+
+bool Renderer::render(Film &film) {
+    const auto start = std::chrono::steady_clock::now();
+    const uint spp = film_settings_.spp, rows = rows_of_grid(spp);
+    RenderProgress progress{0, std::uint64_t{film.width()} * film.height() * spp, 0};
+    for (uint first = 0; first < spp; first += samples_per_batch_) {
+        PixelOrder order(film.width(), film.height());
+        for (auto pixels = order.next(pixels_.size()); !pixels.empty(); pixels = order.next(pixels_.size())) {
+            pixels_.write(pixels);
+            const BatchParams params{.pixels = static_cast<uint>(pixels.size()),
+                                     .first_sample = first,
+                                     .samples = std::min(samples_per_batch_, spp - first),
+                                     .spp = spp,
+                                     .columns = spp / rows,
+                                     .rows = rows,
+                                     .seed = film_settings_.seed,
+                                     .position = film_settings_.pixel};
+            const Batch batch{params, pixels_, camera_};
+            integrator_->render(batch, samples_);
+            film.add(batch, samples_);
+            device_.finish();
+            progress.samples_done += batch.count();
+            progress.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            if (options_.on_progress && !options_.on_progress(progress)) return progress.samples_done == progress.samples_total;
+        }
+    }
+    return true;
+}
+
+}  // namespace brandung

@@ -1,0 +1,47 @@
+/// Renderer: one rendering job, from work to film.
+#pragma once
+#include <functional>
+
+#include "runtime/integrators/integrator.h"
+#include "runtime/wavefront/film.h"
+
+namespace brandung {
+
+struct RenderProgress {
+    std::uint64_t samples_done = 0, samples_total = 0;
+    double seconds = 0;
+};
+
+struct RenderOptions {
+    uint batch = 65536;  ///< rays per wave
+    /// Called after every batch; false stops the render.
+    std::function<bool(const RenderProgress &)> on_progress;
+};
+
+class Renderer {
+public:
+    /// Builds kernels and allocates everything but the film. Throws SceneError for settings that contradict each other.
+    Renderer(Device &device, const Scene &scene, const CompiledScene &compiled, const DeviceScene &on_device, const CameraDescription &camera,
+             RenderOptions options);
+    /// Renders all samples into the film; false if stopped before the end.
+    bool render(Film &film);
+
+    const Integrator &integrator() const { return *integrator_; }
+    /// Bytes of all buffers beside scene and film, at most.
+    std::size_t wave_bytes() const;
+
+private:
+    Device &device_;
+    const FilmSettings film_settings_;
+    RenderOptions options_;
+    Camera camera_;
+    uint samples_per_batch_;  ///< of one pixel
+    std::unique_ptr<Integrator> integrator_;
+    Buffer<uint> pixels_;
+    Buffer<Sample> samples_;
+};
+
+/// The camera's frustum for a picture of width x height.
+Camera make_camera(const CameraDescription &description, uint width, uint height);
+
+}  // namespace brandung

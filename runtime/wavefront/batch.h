@@ -1,0 +1,17 @@
+/// Batch: the part of a picture that is rendered at once.
+#pragma once
+#include "kernels/core/items.h"
+#include "kernels/core/params.h"
+#include "runtime/opencl/buffer.h"
+
+namespace brandung {
+
+/// A list of pixels (x in the lower 16 bits, y in the upper) and a range of their samples.
+struct Batch {
+    BatchParams params;
+    const Buffer<uint> &pixels;
+    Camera camera;
+    uint count() const { return params.pixels * params.samples; }
+};
+
+}  // namespace brandung

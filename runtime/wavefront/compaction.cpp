@@ -1,0 +1,24 @@
+#include "runtime/wavefront/compaction.h"
+
+namespace brandung {
+namespace {
+
+constexpr const char *file = "kernels/stages/compact.cl";
+constexpr uint chunk_size = 256;  ///< COMPACT_CHUNK
+
+}  // namespace
+
+Compaction::Compaction(Device &device, std::size_t slots_per_row, std::size_t rows)
+    : count_live_(device, file, "count_live", {}, chunk_size),
+      scan_counts_(device, file, "scan_counts", {}, 1),
+      write_live_(device, file, "write_live", {}, chunk_size),
+      chunk_counts_(device, count_live_.work_items(slots_per_row) * rows),
+      counts_(device, rows) {}
+
+void Compaction::operator()(const Buffer<std::uint8_t> &alive, uint stride, uint count, uint rows, uint base, uint list_first, Buffer<uint> &list) {
+    count_live_(Grid(count, rows), alive, stride, count, chunk_counts_);
+    scan_counts_(Grid(1, rows), chunk_counts_, static_cast<uint>(count_live_.work_items(count)), counts_);
+    write_live_(Grid(count, rows), alive, stride, count, chunk_counts_, base, list_first, list);
+}
+
+}  // namespace brandung

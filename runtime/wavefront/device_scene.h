@@ -1,0 +1,28 @@
+/// A compiled scene on a device.
+#pragma once
+#include "runtime/opencl/buffer.h"
+#include "runtime/wavefront/specialization.h"
+
+namespace brandung {
+
+/// As kernel argument it is SCENE_PARAMS: header and arena.
+class DeviceScene {
+public:
+    DeviceScene(Device &device, const CompiledScene &scene)
+        : header_(device, std::span(&scene.header, 1)), arena_(device, scene.arena), lists_(specialize(scene)) {}
+
+    template <class Bind>
+    void for_each_argument(Bind bind) const {
+        bind(header_), bind(arena_);
+    }
+    /// The generated files of this scene.
+    const Sources &lists() const { return lists_; }
+    std::size_t bytes() const { return header_.bytes() + arena_.bytes(); }
+
+private:
+    Buffer<SceneHeader> header_;
+    Buffer<std::byte> arena_;
+    Sources lists_;
+};
+
+}  // namespace brandung

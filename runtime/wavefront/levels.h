@@ -1,0 +1,64 @@
+/// Levels: rays in flight and their state, one level per generation, in bounded memory whatever the branching.
+#pragma once
+#include <deque>
+#include <optional>
+
+#include "kernels/core/items.h"
+#include "runtime/opencl/buffer.h"
+
+namespace brandung {
+
+/// Slots of one generation, filled front to back, and the list of those that are live and not yet handed out.
+struct Level {
+    Level(Device &device, uint capacity, uint interior_size)
+        : rays(device, capacity), paths(device, capacity), interiors(device, std::size_t{capacity} * interior_size), live(device, capacity) {}
+    Buffer<Ray> rays;
+    Buffer<Path> paths;
+    Buffer<uint> interiors;  ///< interior_size entries per slot
+    Buffer<uint> live;
+    uint used = 0;           ///< slots taken
+    uint first = 0, end = 0; ///< of `live`: what is waiting
+    std::size_t bytes() const { return rays.bytes() + paths.bytes() + interiors.bytes() + live.bytes(); }
+};
+
+/// A part of a level to work on, and where its children go: to slots base + i * branching of the next level, for item i.
+/// As kernel argument it is LIVE_PARAMS: list, first, count.
+struct Wave {
+    Level &level;
+    uint first, count;
+    uint generation;
+    Level *children;  ///< null without branching
+    uint base;
+
+    template <class Bind>
+    void for_each_argument(Bind bind) const {
+        bind(level.live), bind(first), bind(count);
+    }
+};
+
+/// Hands out waves so that no level ever overflows: a wave takes at most as many items as the next level has free slots for their children.
+class Levels {
+public:
+    /// Levels are allocated when first needed, at most `generations` of them, each of max(batch, branching) slots.
+    Levels(Device &device, uint batch, uint branching, uint generations, uint interior_size);
+
+    /// Forgets everything; the caller fills the first `count` slots of the result and its live list.
+    Level &start(uint count);
+    /// From the deepest level that has a full launch, else from the shallowest that has any; nothing when all rays have ended.
+    std::optional<Wave> next();
+    /// Tells how many of the last wave's children live; their list was written from the next level's `end` on.
+    void add_children(const Wave &wave, uint live);
+
+    std::size_t bytes_at_most() const { return generations_ * level_bytes_; }
+
+private:
+    Level &level(uint generation);
+    uint room(uint generation);
+
+    Device &device_;
+    uint capacity_, branching_, generations_, interior_size_, full_launch_;
+    std::size_t level_bytes_;
+    std::deque<Level> levels_;
+};
+
+}  // namespace brandung

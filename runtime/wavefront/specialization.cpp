@@ -1,0 +1,58 @@
+#include "runtime/wavefront/specialization.h"
+
+#include <fmt/format.h>
+
+#include "scene/bsdfs/bsdf.h"
+#include "scene/lights/light.h"
+
+namespace brandung {
+namespace {
+
+std::string include(const std::string &file) { return "#include \"kernels/" + file + "\"\n"; }
+
+/// One entry of a list: X(kind, Record, name).
+std::string entry(std::size_t kind, const char *record, const char *name) { return fmt::format(" X({}, {}, {})", kind, record, name); }
+
+void add_primitives(const CompiledScene &scene, Sources &sources) {
+    std::string records, surfaces, hits, list;
+    for (std::size_t kind = 0; kind < scene.primitives.size(); ++kind) {
+        const PrimitiveKind &primitive = *scene.primitives[kind];
+        records += include(fmt::format("primitives/{}.h", primitive.name));
+        surfaces += include(fmt::format("primitives/{}.cl", primitive.name));
+        hits += include(fmt::format("primitives/{}_hit.cl", primitive.name));
+        list += entry(kind, primitive.record, primitive.name);
+    }
+    sources["generated/primitives.cl"] = "#pragma once\n" + records + "#define FOR_EACH_PRIMITIVE(X)" + list + "\n";
+    sources["generated/primitive_surfaces.cl"] = "#pragma once\n" + surfaces;
+    sources["generated/primitive_hits.cl"] = hits;
+}
+
+/// A family whose kinds are numbered by their place in `kinds`.
+template <class Kinds>
+std::string family(const std::vector<uint> &in_use, const Kinds &kinds, const std::string &folder, const std::string &list_name) {
+    std::string text = "#pragma once\n", list;
+    for (const uint kind : in_use) {
+        text += include(fmt::format("{}/{}.cl", folder, kinds[kind].name));
+        list += entry(kind, kinds[kind].record, kinds[kind].name);
+    }
+    return text + "#define " + list_name + "(X)" + list + "\n";
+}
+
+}  // namespace
+
+uint branching(const CompiledScene &scene) { return scene.transmits ? 2 : scene.reflects ? 1 : 0; }
+
+Sources specialize(const CompiledScene &scene) {
+    Sources sources;
+    add_primitives(scene, sources);
+    sources["generated/bsdfs.cl"] = family(scene.bsdfs, bsdf_kinds(), "bsdfs", "FOR_EACH_BSDF");
+    sources["generated/lights.cl"] = family(scene.lights, light_kinds(), "lights", "FOR_EACH_LIGHT");
+    sources["generated/accelerator.cl"] = include("accelerators/" + scene.accelerator + ".cl");
+    sources["generated/sampler.cl"] = include("samplers/stratified.cl");
+    sources["generated/interior.cl"] = include(scene.transmits ? "core/interior.cl" : "core/no_interior.cl");
+    sources["generated/constants.h"] =
+        fmt::format("#pragma once\n#define BRANCHING {}u\n#define INTERIOR_SIZE {}u\n", branching(scene), scene.interior_size);
+    return sources;
+}
+
+}  // namespace brandung

@@ -1,0 +1,41 @@
+/// The host's side of an accelerator: from boxes to blocks of primitives and nodes above them.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "kernels/core/scene.h"
+#include "scene/bounds.h"
+
+namespace brandung {
+
+/// One primitive as a builder sees it; its number is its place in the list.
+struct Reference {
+    Bounds bounds;  ///< not empty, finite
+    uint kind;      ///< number among the kinds in use, below MAX_PRIMITIVE_KINDS
+};
+
+/// Up to BLOCK_SIZE primitives of one kind: indices into the references, ascending.
+struct PrimitiveBlock {
+    std::array<uint, BLOCK_SIZE> references;
+    uint count = 0;
+};
+
+struct BuiltAccelerator {
+    std::array<std::vector<PrimitiveBlock>, MAX_PRIMITIVE_KINDS> blocks;  ///< by kind; every reference is in exactly one
+    std::vector<std::byte> nodes;
+    uint node_count = 0;
+};
+
+/// `kernels/accelerators/<name>.cl` traverses what `build` makes.
+struct AcceleratorKind {
+    const char *name;
+    BuiltAccelerator (*build)(std::span<const Reference> references);
+};
+const std::vector<AcceleratorKind> &accelerator_kinds();
+/// Throws SceneError with the list of names. "auto" is the default accelerator.
+const AcceleratorKind &find_accelerator(const std::string &name);
+
+}  // namespace brandung

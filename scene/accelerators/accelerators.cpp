@@ -1,0 +1,35 @@
+/// THE list of accelerators.
+#include <fmt/format.h>
+
+#include "scene/accelerators/accelerator.h"
+#include "scene/error.h"
+
+namespace brandung {
+
+BuiltAccelerator build_wide_bvh(std::span<const Reference> references);
+BuiltAccelerator build_none(std::span<const Reference> references);
+
+const std::vector<AcceleratorKind> &accelerator_kinds() {
+    static const std::vector<AcceleratorKind> kinds = {
+        {"wide_bvh", build_wide_bvh},  // the default
+        {"none", build_none},
+    };
+    return kinds;
+}
+
+const AcceleratorKind &find_accelerator(const std::string &name) {
+    const std::vector<AcceleratorKind> &kinds = accelerator_kinds();
+    std::string known = "auto";
+    for (const AcceleratorKind &kind : kinds) {
+        if (name == kind.name) {
+            return kind;
+        }
+        known += fmt::format(", {}", kind.name);
+    }
+    if (name == "auto") {
+        return kinds.front();
+    }
+    throw SceneError(fmt::format("accelerator \"{}\" is not known; known are: {}", name, known));
+}
+
+}  // namespace brandung

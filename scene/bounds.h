@@ -1,0 +1,23 @@
+/// Axis-aligned boxes.
+#pragma once
+#include <limits>
+
+#include "kernels/core/portable.h"
+
+namespace brandung {
+
+struct Bounds {
+    vec3 low{std::numeric_limits<float>::infinity()};
+    vec3 high{-std::numeric_limits<float>::infinity()};
+
+    void add(vec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
+    void add(const Bounds &other) { low = glm::min(low, other.low), high = glm::max(high, other.high); }
+    bool empty() const { return low.x > high.x; }
+    /// Half the surface area, 0 if empty.
+    float half_area() const {
+        const vec3 d = high - low;
+        return empty() ? 0.0f : d.x * d.y + d.y * d.z + d.z * d.x;
+    }
+};
+
+}  // namespace brandung

@@ -1,0 +1,22 @@
+/// Kinds of materials.
+#pragma once
+#include <vector>
+
+#include "kernels/bsdfs/whitted.h"
+#include "kernels/core/scene.h"
+
+namespace brandung {
+
+class Parameters;
+
+/// `kernels/bsdfs/<name>.cl` has its device functions; Material.kind is its place in bsdf_kinds().
+struct BsdfKind {
+    const char *name;    ///< in scene files and as prefix of device functions
+    const char *record;  ///< its view of Material.words
+    Material (*read)(const Parameters &parameters);
+};
+const std::vector<BsdfKind> &bsdf_kinds();
+/// Sets kind, words and the flags that follow from them; eta, priority and emission are the caller's.
+Material make_material(const Whitted &whitted);
+
+}  // namespace brandung

@@ -1,0 +1,15 @@
+/// The list of material kinds.
+#include "scene/bsdfs/bsdf.h"
+
+namespace brandung {
+
+Material read_whitted(const Parameters &parameters);
+
+const std::vector<BsdfKind> &bsdf_kinds() {
+    static const std::vector<BsdfKind> kinds = {
+        {"whitted", "Whitted", read_whitted},
+    };
+    return kinds;
+}
+
+}  // namespace brandung

@@ -1,0 +1,47 @@
+/// Whitted's material in scene files.
+#include "scene/bsdfs/bsdf.h"
+#include "scene/kinds.h"
+#include "scene/parameters.h"
+
+namespace brandung {
+namespace {
+
+constexpr uint MAX_PRIORITY = 1u << 24;
+
+bool any_positive(Spectrum s) { return s.x > 0 || s.y > 0 || s.z > 0; }
+
+/// A weight of a secondary ray, which cannot have more energy than the ray that made it.
+Spectrum read_fraction(const Parameters &parameters, const std::string &name) {
+    const Spectrum fraction = parameters.spectrum(name, Spectrum(0));
+    if (glm::any(glm::greaterThan(fraction, Spectrum(1)))) parameters.fail(name, "must be at most 1");
+    return fraction;
+}
+
+}  // namespace
+
+Material make_material(const Whitted &whitted) {
+    Material material{};
+    material.kind = kind_number(bsdf_kinds(), "whitted");
+    material.flags = (any_positive(whitted.reflection) ? MATERIAL_REFLECTS : 0) | (any_positive(whitted.transmission) ? MATERIAL_TRANSMITS : 0);
+    material.eta = 1;
+    write_words(whitted, material.words);
+    return material;
+}
+
+Material read_whitted(const Parameters &parameters) {
+    Whitted whitted{};
+    whitted.diffuse = parameters.spectrum("diffuse", Spectrum(0.5f));
+    whitted.ambient = parameters.spectrum("ambient", whitted.diffuse);
+    whitted.specular = parameters.spectrum("specular", Spectrum(0));
+    whitted.exponent = parameters.positive("exponent", 50.0f);
+    whitted.reflection = read_fraction(parameters, "reflection");
+    whitted.transmission = read_fraction(parameters, "transmission");
+    whitted.fresnel = parameters.boolean("fresnel", false);
+    Material material = make_material(whitted);
+    material.eta = parameters.positive("eta", 1.5f);
+    material.priority = parameters.integer("priority", 0, 0, MAX_PRIORITY);
+    material.emission = parameters.spectrum("emission", Spectrum(0));
+    return material;
+}
+
+}  // namespace brandung

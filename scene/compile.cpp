@@ -1,0 +1,158 @@
+#include "scene/compile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+
+#include "scene/accelerators/accelerator.h"
+#include "scene/error.h"
+
+namespace brandung {
+namespace {
+
+/// Grows in records, each array at a multiple of 64 bytes.
+class Arena {
+public:
+    explicit Arena(std::vector<std::byte> &bytes) : bytes_(bytes) {}
+
+    Span add(std::span<const std::byte> records, std::size_t count) {
+        const std::size_t offset = (bytes_.size() + 63) / 64 * 64;
+        bytes_.resize(offset + std::max<std::size_t>(records.size(), 64));
+        std::copy(records.begin(), records.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(offset));
+        return {static_cast<uint>(offset / 64), static_cast<uint>(count)};
+    }
+    template <class T>
+    Span add(const std::vector<T> &records) {
+        return add(std::as_bytes(std::span(records)), records.size());
+    }
+
+private:
+    std::vector<std::byte> &bytes_;
+};
+
+/// A primitive of the scene: the i-th of a shape.
+struct PrimitiveOf {
+    const Shape *shape;
+    std::size_t i;
+};
+
+std::vector<PrimitiveOf> primitives_in_order(const Scene &scene) {
+    std::vector<PrimitiveOf> primitives;
+    for (const auto &shape : scene.shapes)
+        for (std::size_t i = 0; i < shape->count(); ++i) primitives.push_back({shape.get(), i});
+    if (primitives.size() >= 0xffffffffu) throw SceneError(fmt::format("{}: {} primitives are too many", scene.file, primitives.size()));
+    return primitives;
+}
+
+std::vector<const PrimitiveKind *> kinds_in_use(const Scene &scene) {
+    std::vector<const PrimitiveKind *> kinds;
+    for (const PrimitiveKind *kind : primitive_kinds())
+        if (std::any_of(scene.shapes.begin(), scene.shapes.end(), [&](const auto &shape) { return &shape->kind() == kind && shape->count() > 0; }))
+            kinds.push_back(kind);
+    return kinds;
+}
+
+uint number_of(const std::vector<const PrimitiveKind *> &kinds, const PrimitiveKind &kind) {
+    return static_cast<uint>(std::find(kinds.begin(), kinds.end(), &kind) - kinds.begin());
+}
+
+/// Blocks of one kind; lanes without a primitive are all ones: no number, and NaN, which no ray meets.
+std::vector<std::byte> write_blocks(const PrimitiveKind &kind, const std::vector<PrimitiveBlock> &blocks, const std::vector<PrimitiveOf> &primitives) {
+    std::vector<std::byte> bytes(blocks.size() * kind.block_bytes, std::byte{0xff});
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        std::byte *block = bytes.data() + b * kind.block_bytes;
+        for (uint lane = 0; lane < blocks[b].count; ++lane) {
+            const uint number = blocks[b].references[lane];
+            std::memcpy(block + lane * sizeof(uint), &number, sizeof number);
+            primitives[number].shape->write_lane(primitives[number].i, lane, block);
+        }
+    }
+    return bytes;
+}
+
+float extent_of(const std::vector<Reference> &references) {
+    Bounds bounds;
+    for (const Reference &reference : references) bounds.add(reference.bounds);
+    if (bounds.empty()) return 0;
+    const vec3 largest = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
+    return std::max({largest.x, largest.y, largest.z});
+}
+
+void add_primitives(const Scene &scene, CompiledScene &compiled, Arena &arena) {
+    const std::vector<PrimitiveOf> primitives = primitives_in_order(scene);
+    compiled.primitives = kinds_in_use(scene);
+    compiled.primitive_count = primitives.size();
+    compiled.counts.resize(compiled.primitives.size());
+    if (compiled.primitives.size() > MAX_PRIMITIVE_KINDS) throw SceneError(scene.file + ": too many kinds of primitives in one scene");
+
+    std::vector<Reference> references;
+    std::vector<ShadingRecord> shading;
+    SharedTables tables;
+    references.reserve(primitives.size()), shading.reserve(primitives.size());
+    for (const PrimitiveOf &primitive : primitives) {
+        const uint kind = number_of(compiled.primitives, primitive.shape->kind());
+        ++compiled.counts[kind];
+        references.push_back({primitive.shape->bounds(primitive.i), kind});
+        ShadingRecord &record = shading.emplace_back(ShadingRecord{kind, primitive.shape->material, {}});
+        primitive.shape->write_shading(primitive.i, record.words, tables);
+    }
+
+    const auto start = std::chrono::steady_clock::now();
+    const AcceleratorKind &kind = find_accelerator(scene.accelerator);
+    const BuiltAccelerator built = kind.build(references);
+    compiled.accelerator = kind.name;
+    compiled.accelerator_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+    compiled.header.extent = extent_of(references);
+    for (std::size_t k = 0; k < compiled.primitives.size(); ++k)
+        compiled.header.blocks[k] = arena.add(write_blocks(*compiled.primitives[k], built.blocks[k], primitives), built.blocks[k].size());
+    compiled.header.nodes = arena.add(built.nodes, built.node_count);
+    compiled.header.shading = arena.add(shading);
+    compiled.header.vertex_normals = arena.add(tables.vertex_normals);
+}
+
+template <class Records>
+std::vector<uint> kinds_of(const Records &records) {
+    std::vector<uint> kinds;
+    for (const auto &record : records) kinds.push_back(record.kind);
+    std::sort(kinds.begin(), kinds.end());
+    kinds.erase(std::unique(kinds.begin(), kinds.end()), kinds.end());
+    return kinds;
+}
+
+void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
+    std::vector<bool> used(scene.materials.size());
+    for (const auto &shape : scene.shapes) used.at(shape->material) = true;
+    std::vector<Material> materials, used_materials;
+    uint transparent = 0;
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        const Material &material = materials.emplace_back(scene.materials[m].record);
+        if (!used[m]) continue;
+        used_materials.push_back(material);
+        compiled.reflects |= (material.flags & MATERIAL_REFLECTS) != 0;
+        compiled.transmits |= (material.flags & MATERIAL_TRANSMITS) != 0;
+        transparent += (material.flags & MATERIAL_TRANSMITS) != 0;
+    }
+    while (compiled.interior_size < std::min(transparent, 8u)) compiled.interior_size = std::max(1u, 2 * compiled.interior_size);
+    compiled.bsdfs = kinds_of(used_materials);
+    compiled.lights = kinds_of(scene.lights);
+    compiled.header.materials = arena.add(materials);
+    compiled.header.lights = arena.add(scene.lights);
+}
+
+}  // namespace
+
+CompiledScene compile(const Scene &scene) {
+    CompiledScene compiled;
+    Arena arena(compiled.arena);
+    add_primitives(scene, compiled, arena);
+    add_materials(scene, compiled, arena);
+    compiled.header.background = scene.background;
+    compiled.header.ambient = scene.ambient;
+    return compiled;
+}
+
+}  // namespace brandung

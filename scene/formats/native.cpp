@@ -1,0 +1,133 @@
+/// The native scene format: JSON, as `brandung.schema.json` describes it.
+#include <algorithm>
+#include <cmath>
+
+#include "scene/bsdfs/bsdf.h"
+#include "scene/formats/format.h"
+#include "scene/lights/light.h"
+#include "scene/parameters.h"
+
+namespace brandung {
+namespace {
+
+/// The kind that the value "type" names.
+template <class Kind>
+const Kind &kind_of(const Parameters &parameters, const std::vector<Kind> &kinds) {
+    std::vector<std::string> names;
+    for (const Kind &kind : kinds) names.emplace_back(kind.name);
+    return kinds[parameters.choice("type", names)];
+}
+
+/// The value "name", which no other of `things` may have.
+template <class Thing>
+std::string new_name(const Parameters &parameters, const std::vector<Thing> &things) {
+    const std::string name = parameters.text("name");
+    if (name.empty()) parameters.fail("name", "must not be empty");
+    if (std::any_of(things.begin(), things.end(), [&](const Thing &thing) { return thing.name == name; }))
+        parameters.fail("name", "\"" + name + "\" is the name of an earlier one");
+    return name;
+}
+
+void read_materials(const Parameters &root, Scene &scene) {
+    for (const Parameters &parameters : root.children("materials")) {
+        const std::string name = new_name(parameters, scene.materials);
+        scene.materials.push_back({name, kind_of(parameters, bsdf_kinds()).read(parameters)});
+        parameters.expect_all_known();
+    }
+}
+
+void read_lights(const Parameters &root, Scene &scene) {
+    for (const Parameters &parameters : root.children("lights")) {
+        scene.lights.push_back(kind_of(parameters, light_kinds()).read(parameters));
+        parameters.expect_all_known();
+    }
+}
+
+void read_objects(const Parameters &root, Scene &scene) {
+    std::vector<std::string> materials;
+    for (const NamedMaterial &material : scene.materials) materials.push_back(material.name);
+    for (const Parameters &parameters : root.children("objects")) {
+        const ShapeReader &reader = kind_of(parameters, shape_readers());
+        if (materials.empty()) parameters.fail("material", "the scene has no materials");
+        reader.read(parameters, parameters.choice("material", materials), scene);
+        parameters.expect_all_known();
+    }
+}
+
+/// Refuses views without a direction, or whose direction leaves open which way is up.
+void check_view(const Parameters &parameters, const CameraDescription &camera) {
+    const glm::dvec3 view = glm::dvec3(camera.at) - glm::dvec3(camera.from), up(camera.up);
+    if (camera.from == camera.at) parameters.fail("at", "must differ from \"from\"");
+    if (camera.up == vec3(0)) parameters.fail("up", "must not be zero");
+    if (glm::length(glm::cross(view, up)) < 1e-6 * glm::length(view) * glm::length(up))
+        parameters.fail("up", "must not be parallel to the view from \"from\" to \"at\"");
+}
+
+/// The materials that the eye is in.
+std::vector<std::string> read_inside(const Parameters &parameters, const Scene &scene) {
+    const std::vector<std::string> names = parameters.texts("inside");
+    for (const std::string &name : names) {
+        const auto same_name = [&](const NamedMaterial &material) { return material.name == name; };
+        const auto found = std::find_if(scene.materials.begin(), scene.materials.end(), same_name);
+        if (found == scene.materials.end()) parameters.fail("inside", "there is no material \"" + name + "\"");
+        if (!(found->record.flags & MATERIAL_TRANSMITS)) parameters.fail("inside", "material \"" + name + "\" is not transparent");
+    }
+    return names;
+}
+
+CameraDescription read_camera(const Parameters &parameters, const std::string &name, const Scene &scene) {
+    CameraDescription camera;
+    camera.name = name;
+    parameters.choice("type", {"perspective"}, 0);
+    camera.from = parameters.vector("from");
+    camera.at = parameters.vector("at");
+    camera.up = parameters.vector("up", camera.up);
+    const float degrees = parameters.positive("fov", 45.0f);
+    if (!(degrees < 180)) parameters.fail("fov", "must be below 180 degrees");
+    camera.fov = glm::radians(degrees);
+    camera.inside = read_inside(parameters, scene);
+    parameters.expect_all_known();
+    check_view(parameters, camera);
+    return camera;
+}
+
+void read_cameras(const Parameters &root, Scene &scene) {
+    if (root.has("camera") == root.has("cameras")) root.fail("", "needs either \"camera\" or \"cameras\"");
+    if (root.has("camera")) {
+        const Parameters parameters = root.child("camera");
+        scene.cameras.push_back(read_camera(parameters, parameters.text("name", "camera"), scene));
+    }
+    for (const Parameters &parameters : root.children("cameras"))
+        scene.cameras.push_back(read_camera(parameters, new_name(parameters, scene.cameras), scene));
+    if (scene.cameras.empty()) root.fail("cameras", "must not be empty");
+}
+
+/// Refuses unknown keys before a missing one is noticed, which is often the same one misspelt.
+void check_keys(const Parameters &root) {
+    for (const char *key : {"$schema", "description"}) root.text(key, "");
+    for (const char *key : {"film", "integrator", "accelerator", "background", "ambient", "camera", "cameras", "materials", "lights", "objects"})
+        root.has(key);
+    root.expect_all_known();
+}
+
+}  // namespace
+
+Scene read_native(const std::string &file, const std::vector<std::string> &assignments) {
+    Document document = read_document(file);
+    for (const std::string &assignment : assignments) set_value(document, assignment);
+    const Parameters root(document, "");
+    check_keys(root);
+
+    Scene scene;
+    scene.file = file;
+    read_settings(root, scene);
+    scene.background = root.spectrum("background", scene.background);
+    scene.ambient = root.spectrum("ambient", scene.ambient);
+    read_materials(root, scene);
+    read_lights(root, scene);
+    read_objects(root, scene);
+    read_cameras(root, scene);
+    return scene;
+}
+
+}  // namespace brandung

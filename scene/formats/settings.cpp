@@ -1,0 +1,40 @@
+/// Settings that every scene format takes: film, integrator, accelerator.
+#include "scene/accelerators/accelerator.h"
+#include "scene/formats/format.h"
+#include "scene/parameters.h"
+
+namespace brandung {
+namespace {
+
+constexpr uint MAX_RESOLUTION = 65535, MAX_SAMPLES = 1u << 24, MAX_DEPTH = 1000;
+
+void read_film(const Parameters &parameters, FilmSettings &film) {
+    film.width = parameters.integer("width", film.width, 1, MAX_RESOLUTION);
+    film.height = parameters.integer("height", film.height, 1, MAX_RESOLUTION);
+    film.spp = parameters.integer("spp", film.spp, 1, MAX_SAMPLES);
+    film.seed = parameters.integer("seed", film.seed);
+    film.pixel = parameters.choice("pixel", {"corner", "center", "random"}, film.pixel);
+    film.exposure = parameters.number("exposure", film.exposure);
+    parameters.expect_all_known();
+}
+
+void read_integrator(const Parameters &parameters, IntegratorSettings &integrator) {
+    integrator.type = parameters.text("type", integrator.type);
+    integrator.max_depth = parameters.integer("max_depth", integrator.max_depth, 1, MAX_DEPTH);
+    integrator.threshold = parameters.not_negative("threshold", integrator.threshold);
+    parameters.expect_all_known();
+}
+
+}  // namespace
+
+void read_settings(const Parameters &root, Scene &scene) {
+    // PIXEL_... number the choices of film.pixel.
+    static_assert(PIXEL_CORNER == 0 && PIXEL_CENTER == 1 && PIXEL_RANDOM == 2);
+    read_film(root.child("film"), scene.film);
+    read_integrator(root.child("integrator"), scene.integrator);
+    std::vector<std::string> accelerators = {"auto"};
+    for (const AcceleratorKind &kind : accelerator_kinds()) accelerators.emplace_back(kind.name);
+    if (root.has("accelerator")) scene.accelerator = accelerators[root.choice("accelerator", accelerators)];
+}
+
+}  // namespace brandung

@@ -1,0 +1,25 @@
+/// Point lights in scene files.
+#include "scene/kinds.h"
+#include "scene/lights/light.h"
+#include "scene/parameters.h"
+
+namespace brandung {
+
+Light make_light(const PointLight &light) {
+    Light result{};
+    result.kind = kind_number(light_kinds(), "point");
+    write_words(light, result.words);
+    return result;
+}
+
+Light read_point(const Parameters &parameters) {
+    PointLight light{};
+    light.position = parameters.vector("position");
+    light.intensity = parameters.spectrum("intensity");
+    light.attenuation = parameters.vector("attenuation", vec3(0, 0, 1));
+    if (glm::any(glm::lessThan(light.attenuation, vec3(0)))) parameters.fail("attenuation", "must not have negative parts");
+    if (light.attenuation == vec3(0)) parameters.fail("attenuation", "must not be all zero, the intensity is divided by it");
+    return make_light(light);
+}
+
+}  // namespace brandung

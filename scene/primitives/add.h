@@ -1,0 +1,15 @@
+/// Adding shapes to a scene, the same for every format: what has no surface becomes a counted warning.
+#pragma once
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace brandung {
+
+void add_sphere(Scene &scene, uint material, vec3 center, float radius);
+void add_frustum(Scene &scene, uint material, vec3 base, float base_radius, vec3 apex, float apex_radius);
+void add_triangle_mesh(Scene &scene, uint material, MeshData mesh);
+/// Triangulates a polygon and appends it to a mesh; `normals` is empty, as in the mesh so far, or has a unit vector per vertex.
+void append_polygon(Scene &scene, MeshData &mesh, const std::vector<vec3> &vertices, const std::vector<vec3> &normals);
+
+}  // namespace brandung

@@ -1,0 +1,72 @@
+/// Shape: something of a scene that rays can meet.
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kernels/core/scene.h"
+#include "kernels/primitives/smooth_triangle.h"
+#include "scene/bounds.h"
+
+namespace brandung {
+
+class Parameters;
+struct Scene;
+
+/// A kind of primitive that the kernels know: `kernels/primitives/<name>.h` declares <record>Block and <record>Shading.
+struct PrimitiveKind {
+    const char *name;         ///< "smooth_triangle": prefix of its device functions
+    const char *record;       ///< "SmoothTriangle": prefix of its records
+    std::size_t block_bytes;  ///< of one block of BLOCK_SIZE primitives
+};
+
+/// Tables of the arena that shapes append to while the scene is laid out.
+struct SharedTables {
+    std::vector<VertexNormals> vertex_normals;
+};
+
+/// One or more primitives of one kind with one material.
+class Shape {
+public:
+    explicit Shape(uint material) : material(material) {}
+    virtual ~Shape() = default;
+
+    virtual const PrimitiveKind &kind() const = 0;
+    virtual std::size_t count() const { return 1; }
+    /// A box around primitive i that contains the one which the kernels derive from its block.
+    virtual Bounds bounds(std::size_t i) const = 0;
+    /// Writes primitive i, without its number, to lane `lane` of a block of block_bytes.
+    virtual void write_lane(std::size_t i, uint lane, std::byte *block) const = 0;
+    /// Writes primitive i's view of ShadingRecord.words (at most 56 bytes).
+    virtual void write_shading(std::size_t i, uint *words, SharedTables &tables) const = 0;
+
+    uint material;  ///< index into Scene::materials
+};
+
+/// A shape's name in scene files and how it is read; adds its shapes to the scene.
+struct ShapeReader {
+    const char *name;
+    void (*read)(const Parameters &parameters, uint material, Scene &scene);
+};
+/// All shapes that scene files may name.
+const std::vector<ShapeReader> &shape_readers();
+/// All kinds of primitives, in the order in which generated lists name them.
+const std::vector<const PrimitiveKind *> &primitive_kinds();
+
+// One maker per kind; a maker adds a counted warning to the scene and no shape where the thing has no surface.
+std::unique_ptr<Shape> make_sphere(uint material, vec3 center, float radius);
+/// From base to apex, without caps; both radii negative: only the inside is visible.
+std::unique_ptr<Shape> make_frustum(uint material, vec3 base, float base_radius, vec3 apex, float apex_radius);
+
+/// Vertices shared by triangles; `normals` (unit length) and `uvs` are empty or as many as `positions`.
+struct MeshData {
+    std::vector<vec3> positions, normals;
+    std::vector<vec2> uvs;
+    std::vector<uint> indices;  ///< three per triangle
+};
+std::unique_ptr<Shape> make_triangle_mesh(uint material, MeshData mesh);
+/// Indices (three per triangle) of a triangulation of a simple, possibly concave, nearly planar polygon; empty if it has no area.
+std::vector<uint> triangulate(const std::vector<vec3> &polygon);
+
+}  // namespace brandung

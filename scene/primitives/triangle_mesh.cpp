@@ -1,0 +1,123 @@
+/// Meshes of triangles, flat or with interpolated normals.
+#include <fmt/format.h>
+
+#include <cassert>
+#include <cstring>
+#include <limits>
+
+#include "kernels/primitives/smooth_triangle.h"
+#include "scene/parameters.h"
+#include "scene/primitives/add.h"
+#include "scene/primitives/kinds.h"
+
+namespace brandung {
+
+const PrimitiveKind triangle_kind = {"triangle", "Triangle", sizeof(TriangleBlock)};
+const PrimitiveKind smooth_triangle_kind = {"smooth_triangle", "SmoothTriangle", sizeof(SmoothTriangleBlock)};
+
+namespace {
+
+class TriangleMesh final : public Shape {
+public:
+    TriangleMesh(uint material, MeshData mesh) : Shape(material), mesh_(std::move(mesh)) {}
+
+    const PrimitiveKind &kind() const override { return mesh_.normals.empty() ? triangle_kind : smooth_triangle_kind; }
+    std::size_t count() const override { return mesh_.indices.size() / 3; }
+
+    Bounds bounds(std::size_t i) const override {
+        Bounds bounds;
+        for (uint k = 0; k < 3; ++k) bounds.add(position(i, k));
+        return bounds;
+    }
+
+    void write_lane(std::size_t i, uint lane, std::byte *block) const override {
+        TriangleBlock &triangles = *reinterpret_cast<TriangleBlock *>(block);
+        for (int axis = 0; axis < 3; ++axis) {
+            triangles.a[axis][lane] = position(i, 0)[axis];
+            triangles.b[axis][lane] = position(i, 1)[axis];
+            triangles.c[axis][lane] = position(i, 2)[axis];
+        }
+    }
+
+    void write_shading(std::size_t i, uint *words, SharedTables &tables) const override {
+        // The flat view is the beginning of the smooth one.
+        static_assert(sizeof(TriangleShading) == offsetof(SmoothTriangleShading, normals));
+        SmoothTriangleShading shading = {position(i, 0), position(i, 1), position(i, 2), 0};
+        if (!mesh_.normals.empty()) {
+            shading.normals = uint(tables.vertex_normals.size());
+            tables.vertex_normals.push_back({normal(i, 0), normal(i, 1), normal(i, 2)});
+        }
+        std::memcpy(words, &shading, mesh_.normals.empty() ? sizeof(TriangleShading) : sizeof(SmoothTriangleShading));
+    }
+
+private:
+    const vec3 &position(std::size_t i, uint k) const { return mesh_.positions[mesh_.indices[3 * i + k]]; }
+    const vec3 &normal(std::size_t i, uint k) const { return mesh_.normals[mesh_.indices[3 * i + k]]; }
+
+    MeshData mesh_;
+};
+
+/// Whether the kernels can tell the triangle's normal. They too round the edges to float, and then make no error that matters.
+bool has_area(vec3 a, vec3 b, vec3 c) {
+    const glm::dvec3 n = glm::abs(glm::cross(glm::dvec3(b - a), glm::dvec3(c - a)));
+    return std::max({n.x, n.y, n.z}) >= double(std::numeric_limits<float>::min());
+}
+
+void drop_flat_triangles(MeshData &mesh) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const uint a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
+        if (!has_area(mesh.positions[a], mesh.positions[b], mesh.positions[c])) continue;
+        for (const uint index : {a, b, c}) mesh.indices[kept++] = index;
+    }
+    mesh.indices.resize(kept);
+}
+
+}  // namespace
+
+std::unique_ptr<Shape> make_triangle_mesh(uint material, MeshData mesh) {
+    assert(mesh.indices.size() % 3 == 0);
+    assert(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size());
+    drop_flat_triangles(mesh);
+    if (mesh.indices.empty()) return nullptr;
+    return std::make_unique<TriangleMesh>(material, std::move(mesh));
+}
+
+void add_triangle_mesh(Scene &scene, uint material, MeshData mesh) {
+    const std::size_t triangles = mesh.indices.size() / 3;
+    auto shape = make_triangle_mesh(material, std::move(mesh));
+    const std::size_t kept = shape ? shape->count() : 0;
+    if (kept < triangles) scene.warnings["triangle without area: left out"] += uint(triangles - kept);
+    if (shape) scene.shapes.push_back(std::move(shape));
+}
+
+std::vector<vec3> read_normals(const Parameters &parameters, const std::string &name, std::size_t vertices) {
+    std::vector<vec3> normals = parameters.vectors(name);
+    if (!normals.empty() && normals.size() != vertices)
+        parameters.fail(name, fmt::format("must be one per vertex, got {} for {} vertices", normals.size(), vertices));
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        if (normals[i] == vec3(0)) parameters.fail(name, fmt::format("must not be zero, but number {} is (counted from 0)", i));
+        normals[i] = vec3(glm::normalize(glm::dvec3(normals[i])));
+    }
+    return normals;
+}
+
+void read_triangle_mesh(const Parameters &parameters, uint material, Scene &scene) {
+    MeshData mesh;
+    mesh.positions = parameters.vectors("positions");
+    mesh.normals = read_normals(parameters, "normals", mesh.positions.size());
+    mesh.uvs = parameters.pairs("uvs");
+    mesh.indices = parameters.integers("indices");
+    if (mesh.positions.empty()) parameters.fail("positions", "must have vertices");
+    if (!mesh.uvs.empty() && mesh.uvs.size() != mesh.positions.size())
+        parameters.fail("uvs", fmt::format("must be one pair per vertex, got {} for {} vertices", mesh.uvs.size(), mesh.positions.size()));
+    if (mesh.indices.empty() || mesh.indices.size() % 3 != 0)
+        parameters.fail("indices", fmt::format("must be three per triangle, got {}", mesh.indices.size()));
+    for (const uint index : mesh.indices) {
+        if (index >= mesh.positions.size())
+            parameters.fail("indices", fmt::format("must be below the number of vertices, {}, got {}", mesh.positions.size(), index));
+    }
+    add_triangle_mesh(scene, material, std::move(mesh));
+}
+
+}  // namespace brandung

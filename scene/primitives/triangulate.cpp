@@ -1,0 +1,185 @@
+/// Polygons into triangles by clipping ears, those with the shortest diagonal first: few slivers, and small boxes for accelerators.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <tuple>
+
+#include "scene/primitives/shape.h"
+
+namespace brandung {
+namespace {
+
+/// A vertex in the ring of those that are not clipped yet.
+struct Corner {
+    double x, y;          ///< in the plane; they are floats, so that products are exact
+    uint previous, next;  ///< places in the ring
+    bool in_ring = true;
+    bool convex = false;
+};
+
+/// The sum's leading part: its sign is that of the exact sum (Shewchuk 1997, expansions).
+double exact_sum(const std::array<double, 6> &terms) {
+    std::array<double, 6> parts;  // do not overlap, ascending
+    std::size_t count = 0;
+    for (double sum : terms) {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double large = std::abs(sum) < std::abs(parts[i]) ? parts[i] : sum;
+            const double small = std::abs(sum) < std::abs(parts[i]) ? sum : parts[i];
+            sum = large + small;
+            const double lost = small - (sum - large);
+            if (lost != 0) parts[kept++] = lost;
+        }
+        if (sum != 0) parts[kept++] = sum;
+        count = kept;
+    }
+    return count == 0 ? 0 : parts[count - 1];
+}
+
+/// Twice the area of abc with an exact sign: positive if counterclockwise.
+double orientation(const Corner &a, const Corner &b, const Corner &c) {
+    const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
+    const double error = 4 * std::numeric_limits<double>::epsilon() * (std::abs(left) + std::abs(right));
+    if (std::abs(left - right) > error) return left - right;
+    return exact_sum({a.x * b.y, -a.y * b.x, b.x * c.y, -b.y * c.x, c.x * a.y, -c.y * a.x});
+}
+
+bool same_place(const Corner &a, const Corner &b) { return a.x == b.x && a.y == b.y; }
+
+/// Twice the vector area (Newell).
+glm::dvec3 area_vector(const std::vector<vec3> &polygon) {
+    glm::dvec3 sum(0);
+    const glm::dvec3 origin(polygon[0]);
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+        sum += glm::cross(glm::dvec3(polygon[i]) - origin, glm::dvec3(polygon[i + 1]) - origin);
+    }
+    return sum;
+}
+
+class EarClipper {
+public:
+    explicit EarClipper(const std::vector<vec3> &polygon) : polygon_(polygon) {}
+
+    std::vector<uint> run() {
+        triangles_.reserve(3 * polygon_.size());
+        project();
+        remove_corners([this](uint i) { return same_place(corners_[i], corners_[corners_[i].next]) || is_spike(i); });
+        clip_ears();
+        // What is left is not a simple polygon. Without its straight corners it may be; else corners are clipped whatever lies in them.
+        while (left_ > 2 && remove_corners([this](uint i) { return turn(i) == 0; })) clip_ears();
+        ignore_blockers_ = true;
+        if (left_ > 2) clip_ears();
+        return std::move(triangles_);
+    }
+
+private:
+    /// A corner that was an ear when its neighbours were these.
+    struct Ear {
+        double diagonal;  ///< squared length
+        uint corner, previous, next;
+        bool operator<(const Ear &other) const { return std::tie(diagonal, corner) > std::tie(other.diagonal, other.corner); }
+    };
+
+    /// Leaves out the axis along which the polygon is seen best; counterclockwise stays so.
+    void project() {
+        const glm::dvec3 area = area_vector(polygon_), size = glm::abs(area);
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        const int x = (axis + (area[axis] > 0 ? 1 : 2)) % 3, y = 3 - axis - x;
+        left_ = uint(polygon_.size());
+        corners_.resize(left_);
+        for (uint i = 0; i < left_; ++i) corners_[i] = {polygon_[i][x], polygon_[i][y], (i + left_ - 1) % left_, (i + 1) % left_};
+    }
+
+    double turn(uint i) const { return orientation(corners_[corners_[i].previous], corners_[i], corners_[corners_[i].next]); }
+
+    void remove(uint i) {
+        Corner &corner = corners_[i];
+        corners_[corner.previous].next = corner.next;
+        corners_[corner.next].previous = corner.previous;
+        corner.in_ring = false;
+        --left_;
+    }
+
+    /// Whether the polygon turns back on itself at the corner.
+    bool is_spike(uint i) const {
+        const Corner &a = corners_[corners_[i].previous], &b = corners_[i], &c = corners_[corners_[i].next];
+        return (a.x - b.x) * (c.x - b.x) + (a.y - b.y) * (c.y - b.y) > 0 && turn(i) == 0;
+    }
+
+    /// Removes all corners that the condition holds for, those included that it comes to hold for.
+    template <class Condition> bool remove_corners(Condition condition) {
+        const uint before = left_;
+        for (uint i = 0; i < corners_.size(); ++i) {
+            for (uint k = i; left_ > 2 && corners_[k].in_ring && condition(k); k = corners_[k].previous) remove(k);
+        }
+        return left_ < before;
+    }
+
+    /// Clips ears while there are any. Only the neighbours of a clipped ear can become ears: the corner that lies deepest in a blocked one is not
+    /// convex.
+    void clip_ears() {
+        std::priority_queue<Ear> ears;
+        for (uint i = 0; i < corners_.size(); ++i) corners_[i].convex = corners_[i].in_ring && turn(i) > 0;
+        find_blockers();
+        for (uint i = 0; i < corners_.size(); ++i) add_if_ear(i, ears);
+        while (left_ > 2 && !ears.empty()) {
+            const Ear ear = ears.top();
+            ears.pop();
+            const Corner &corner = corners_[ear.corner];
+            if (!corner.in_ring || corner.previous != ear.previous || corner.next != ear.next) continue;
+            triangles_.insert(triangles_.end(), {ear.previous, ear.corner, ear.next});
+            remove(ear.corner);
+            for (const uint i : {ear.previous, ear.next}) corners_[i].convex = turn(i) > 0;
+            for (const uint i : {ear.previous, ear.next}) add_if_ear(i, ears);
+        }
+    }
+
+    void add_if_ear(uint i, std::priority_queue<Ear> &ears) const {
+        const Corner &corner = corners_[i];
+        if (!corner.in_ring || !corner.convex || (!ignore_blockers_ && blocked(corner))) return;
+        const glm::dvec3 diagonal = glm::dvec3(polygon_[corner.next]) - glm::dvec3(polygon_[corner.previous]);
+        ears.push({glm::dot(diagonal, diagonal), i, corner.previous, corner.next});
+    }
+
+    /// The corners that may lie in ears, by x. Clipping makes angles smaller, so that none is added later.
+    void find_blockers() {
+        blockers_.clear();
+        for (uint i = 0; i < corners_.size(); ++i) {
+            if (corners_[i].in_ring && !corners_[i].convex) blockers_.push_back(i);
+        }
+        std::sort(blockers_.begin(), blockers_.end(), [this](uint a, uint b) { return corners_[a].x < corners_[b].x; });
+    }
+
+    /// Whether a corner of the ring lies in the ear, its diagonal included.
+    bool blocked(const Corner &b) const {
+        const Corner &a = corners_[b.previous], &c = corners_[b.next];
+        const auto [low, high] = std::minmax({a.y, b.y, c.y});
+        const auto [left, right] = std::minmax({a.x, b.x, c.x});
+        const auto before = [this](uint i, double x) { return corners_[i].x < x; };
+        for (auto i = std::lower_bound(blockers_.begin(), blockers_.end(), left, before); i != blockers_.end(); ++i) {
+            const Corner &p = corners_[*i];
+            if (p.x > right) break;
+            if (p.y < low || p.y > high || !p.in_ring || p.convex || same_place(p, a) || same_place(p, b) || same_place(p, c)) continue;
+            if (orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0) return true;
+        }
+        return false;
+    }
+
+    const std::vector<vec3> &polygon_;
+    std::vector<Corner> corners_;
+    std::vector<uint> blockers_, triangles_;
+    uint left_ = 0;
+    bool ignore_blockers_ = false;
+};
+
+}  // namespace
+
+std::vector<uint> triangulate(const std::vector<vec3> &polygon) {
+    if (polygon.size() < 3 || area_vector(polygon) == glm::dvec3(0)) return {};
+    if (polygon.size() == 3) return {0, 1, 2};
+    return EarClipper(polygon).run();
+}
+
+}  // namespace brandung

@@ -1,0 +1,53 @@
+/// Scene: what a scene file says.
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kernels/core/params.h"
+#include "kernels/core/scene.h"
+#include "scene/primitives/shape.h"
+
+namespace brandung {
+
+struct CameraDescription {
+    std::string name;
+    vec3 from{0, 0, 1}, at{0, 0, 0}, up{0, 1, 0};
+    float fov = 0.78539816f;           ///< full vertical angle [radians]
+    std::vector<std::string> inside;  ///< names of the transparent materials that the eye is in
+};
+
+struct FilmSettings {
+    uint width = 512, height = 512;
+    uint spp = 1;
+    uint seed = 0;
+    uint pixel = PIXEL_CENTER;
+    float exposure = 0;  ///< of 8-bit pictures [EV]
+};
+
+struct IntegratorSettings {
+    std::string type = "whitted";
+    uint max_depth = 5;   ///< rays in a chain, the eye ray being 1
+    float threshold = 0;  ///< rays of smaller weight are not spawned
+};
+
+struct NamedMaterial {
+    std::string name;
+    Material record;
+};
+
+struct Scene {
+    std::string file;
+    std::vector<CameraDescription> cameras;  ///< the first is the default
+    std::vector<NamedMaterial> materials;
+    std::vector<std::unique_ptr<Shape>> shapes;
+    std::vector<Light> lights;
+    Spectrum background{0}, ambient{0};
+    FilmSettings film;
+    IntegratorSettings integrator;
+    std::string accelerator = "auto";
+    std::map<std::string, uint> warnings;  ///< text -> how often
+};
+
+}  // namespace brandung

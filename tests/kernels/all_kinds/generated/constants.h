@@ -1,0 +1,4 @@
+// With everything, for lint and editors.
+#pragma once
+#define BRANCHING 2u
+#define INTERIOR_SIZE 4u

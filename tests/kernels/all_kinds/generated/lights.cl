@@ -1,0 +1,5 @@
+// Every kind, for lint and editors.
+#pragma once
+#include "kernels/lights/directional.cl"
+#include "kernels/lights/point.cl"
+#define FOR_EACH_LIGHT(X) X(0, PointLight, point) X(1, DirectionalLight, directional)

@@ -1,0 +1,3 @@
+// The default, for lint and editors.
+#pragma once
+#include "kernels/samplers/stratified.cl"

@@ -1,0 +1,30 @@
+#include <gtest/gtest.h>
+
+#include "scene/accelerators/accelerator.h"
+#include "scene/error.h"
+
+namespace brandung {
+namespace {
+
+TEST(FindAccelerator, FindsEveryKindByItsName) {
+    for (const AcceleratorKind &kind : accelerator_kinds()) {
+        EXPECT_EQ(&find_accelerator(kind.name), &kind);
+    }
+}
+
+TEST(FindAccelerator, AutoIsTheFirst) {
+    EXPECT_EQ(&find_accelerator("auto"), &accelerator_kinds().front());
+    EXPECT_STREQ(find_accelerator("auto").name, "wide_bvh");
+}
+
+TEST(FindAccelerator, AnUnknownNameListsTheKnownOnes) {
+    try {
+        find_accelerator("kd_tree");
+        FAIL();
+    } catch (const SceneError &error) {
+        EXPECT_STREQ(error.what(), "accelerator \"kd_tree\" is not known; known are: auto, wide_bvh, none");
+    }
+}
+
+}  // namespace
+}  // namespace brandung

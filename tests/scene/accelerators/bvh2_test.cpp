@@ -1,0 +1,93 @@
+#include "scene/accelerators/bvh2.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace brandung {
+namespace {
+
+using References = std::vector<Reference>;
+
+// Every tenth is ten times as large: areas tell them apart, counts don't.
+References random_boxes(uint count) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> unit(0, 1);
+    References references(count);
+    for (uint i = 0; i < count; ++i) {
+        const vec3 low(unit(random), unit(random), unit(random));
+        references[i] = {{low, low + vec3(i % 10 == 0 ? 0.1f : 0.01f)}, 0};
+    }
+    return references;
+}
+
+// Boxes with a corner in common, each a little larger than the last: SAH takes them off one by one.
+References nest(uint count) {
+    References references;
+    for (uint i = 0; i < count; ++i) {
+        references.push_back({{vec3(0), vec3(std::exp2(0.05f * float(i) - 50))}, 0});
+    }
+    return references;
+}
+
+uint depth_below(const Bvh2 &tree, uint index) {
+    const uint children = tree.nodes[index].children;
+    return children == 0 ? 0 : 1 + std::max(depth_below(tree, children), depth_below(tree, children + 1));
+}
+
+// What a ray visits on average, up to a factor: blocks and the nodes above them.
+double cost_of(const Bvh2 &tree, uint index) {
+    const Bvh2Node &node = tree.nodes[index];
+    return tree.area(node) + (node.fits_block() ? 0 : cost_of(tree, node.children) + cost_of(tree, node.children + 1));
+}
+
+// The same for ranges halved at the median of their longest edge.
+double median_cost_of(std::span<Reference> references) {
+    Bounds bounds;
+    for (const Reference &reference : references) {
+        bounds.add(reference.bounds);
+    }
+    if (references.size() <= BLOCK_SIZE) {
+        return bounds.half_area();
+    }
+    const vec3 edges = bounds.high - bounds.low;
+    const int axis = edges.x >= edges.y && edges.x >= edges.z ? 0 : edges.y >= edges.z ? 1 : 2;
+    const auto centre = [&](const Reference &reference) { return reference.bounds.low[axis] + reference.bounds.high[axis]; };
+    const size_t half = references.size() / 2;
+    std::ranges::nth_element(references, references.begin() + half, {}, centre);
+    return bounds.half_area() + median_cost_of(references.first(half)) + median_cost_of(references.subspan(half));
+}
+
+TEST(Bvh2, CostsLessThanHalvesAtTheMedian) {
+    References references = random_boxes(16'384);  // a power of two, with which halves have full blocks
+    const double cost = cost_of(build_bvh2(references, 16), 0);
+    EXPECT_LT(cost, 0.75 * median_cost_of(references));
+}
+
+TEST(Bvh2, IsNoDeeperThanAllowed) {
+    const References references = nest(2'000);  // 11 levels if balanced
+    EXPECT_GT(depth_below(build_bvh2(references, 1'000), 0), 40u);
+    EXPECT_LE(depth_below(build_bvh2(references, 16), 0), 27u);
+    EXPECT_LE(depth_below(build_bvh2(references, 0), 0), 11u);
+}
+
+TEST(Bvh2, HasParentsBeforeTheirChildrenAndRangesThatAddUp) {
+    const Bvh2 tree = build_bvh2(random_boxes(20'000), 16);
+    for (uint i = 0; i < tree.node_count; ++i) {
+        const Bvh2Node &node = tree.nodes[i];
+        if (node.children == 0) {
+            EXPECT_TRUE(node.fits_block());
+            continue;
+        }
+        const Bvh2Node &first = tree.nodes[node.children], &second = tree.nodes[node.children + 1];
+        EXPECT_GT(node.children, i);
+        EXPECT_EQ(first.first, node.first);
+        EXPECT_EQ(second.first, first.first + first.count);
+        EXPECT_EQ(first.count + second.count, node.count);
+    }
+}
+
+}  // namespace
+}  // namespace brandung

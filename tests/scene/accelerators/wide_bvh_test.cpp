@@ -1,0 +1,264 @@
+#include "kernels/accelerators/wide_bvh.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <random>
+
+#include "scene/accelerators/accelerator.h"
+
+namespace brandung {
+namespace {
+
+using References = std::vector<Reference>;
+using Random = std::mt19937;
+
+BuiltAccelerator build(const References &references) { return find_accelerator("wide_bvh").build(references); }
+
+std::vector<BvhNode> nodes_of(const BuiltAccelerator &built) {
+    std::vector<BvhNode> nodes(built.node_count);
+    EXPECT_EQ(built.nodes.size(), nodes.size() * sizeof(BvhNode));
+    std::memcpy(nodes.data(), built.nodes.data(), built.nodes.size());
+    return nodes;
+}
+
+Bounds box_of(const BvhNode &node, uint slot) {
+    Bounds box;
+    box.low = {node.low[0][slot], node.low[1][slot], node.low[2][slot]};
+    box.high = {node.high[0][slot], node.high[1][slot], node.high[2][slot]};
+    return box;
+}
+
+const PrimitiveBlock &block_of(const BuiltAccelerator &built, uint word) { return built.blocks[word >> BVH_KIND_SHIFT & 7u].at(word & BVH_BLOCK); }
+
+uint children_of(const BvhNode &node) { return uint(std::find(std::begin(node.child), std::end(node.child), BVH_EMPTY) - std::begin(node.child)); }
+
+References random_boxes(uint count, uint kinds, float size) {
+    Random random(1);
+    std::uniform_real_distribution<float> unit(0, 1);
+    References references(count);
+    for (Reference &reference : references) {
+        const vec3 low(unit(random), unit(random), unit(random));
+        reference.bounds = {low, low + size * vec3(unit(random), unit(random), unit(random))};
+        reference.kind = random() % kinds;
+    }
+    return references;
+}
+
+References scaled(References references, vec3 scale) {
+    for (Reference &reference : references) {
+        reference.bounds.low *= scale;
+        reference.bounds.high *= scale;
+    }
+    return references;
+}
+
+// Boxes with a corner in common, each a little larger than the last: SAH takes them off one by one.
+References nest(uint count) {
+    References references;
+    for (uint i = 0; i < count; ++i) {
+        references.push_back({{vec3(0), vec3(std::exp2(0.05f * float(i) - 50))}, 0});
+    }
+    return references;
+}
+
+struct Case {
+    const char *name;
+    References references;
+};
+
+std::vector<Case> cases() {
+    return {
+        {"one", random_boxes(1, 1, 1)},
+        {"one_block", random_boxes(8, 1, 1)},
+        {"nine", random_boxes(9, 1, 1)},
+        {"eight_of_many_kinds", random_boxes(8, 8, 1)},
+        {"one_kind", random_boxes(20'000, 1, 0.02f)},
+        {"many_kinds", random_boxes(5'000, 8, 0.05f)},
+        {"parallel_and_mixed", random_boxes(100'000, 3, 0.01f)},
+        {"identical", References(10'000, {{vec3(1, 2, 3), vec3(2, 3, 4)}, 0})},
+        {"identical_points", References(10'000, {{vec3(1, 2, 3), vec3(1, 2, 3)}, 5})},
+        {"points", random_boxes(5'000, 2, 0)},
+        {"flat", scaled(random_boxes(5'000, 1, 0.02f), {1, 0, 1})},
+        {"collinear", scaled(random_boxes(5'000, 1, 0.001f), {1, 0, 0})},
+        {"collinear_points", scaled(random_boxes(5'000, 1, 0), {0, -1, 0})},
+        {"huge", scaled(random_boxes(5'000, 2, 0.02f), vec3(1e30f))},
+        {"largest", scaled(random_boxes(5'000, 1, 0), vec3(FLT_MAX))},
+        {"from_end_to_end", References(100, {{vec3(-FLT_MAX), vec3(FLT_MAX)}, 0})},
+        {"tiny", scaled(random_boxes(5'000, 1, 0.02f), vec3(1e-37f))},
+        {"nest", nest(2'000)},
+    };
+}
+
+class WideBvhOfCase : public testing::TestWithParam<Case> {
+protected:
+    const References &references = GetParam().references;
+    const BuiltAccelerator built = build(references);
+    const std::vector<BvhNode> nodes = nodes_of(built);
+
+    Bounds bounds_below(uint word) const {
+        Bounds bounds;
+        if (word & BVH_LEAF) {
+            const PrimitiveBlock &block = block_of(built, word);
+            for (uint i = 0; i < block.count; ++i) {
+                bounds.add(references[block.references[i]].bounds);
+            }
+            return bounds;
+        }
+        for (uint slot = 0; slot < children_of(nodes[word]); ++slot) {
+            bounds.add(bounds_below(nodes[word].child[slot]));
+        }
+        return bounds;
+    }
+    uint primitives_below(uint word) const {
+        if (word & BVH_LEAF) {
+            return block_of(built, word).count;
+        }
+        uint sum = 0;
+        for (uint slot = 0; slot < children_of(nodes[word]); ++slot) {
+            sum += primitives_below(nodes[word].child[slot]);
+        }
+        return sum;
+    }
+    // Entries on a ray's stack if it meets everything and visits the children in the worst order.
+    uint stack_entries(uint word) const {
+        if (word & BVH_LEAF) {
+            return 1;
+        }
+        const uint children = children_of(nodes[word]);
+        uint most = 0;
+        for (uint slot = 0; slot < children; ++slot) {
+            most = std::max(most, stack_entries(nodes[word].child[slot]));
+        }
+        return children - 1 + most;
+    }
+};
+INSTANTIATE_TEST_SUITE_P(, WideBvhOfCase, testing::ValuesIn(cases()), [](const auto &info) { return info.param.name; });
+
+TEST_P(WideBvhOfCase, EveryReferenceIsInOneBlockOfItsKindInAscendingOrder) {
+    std::vector<uint> found(references.size());
+    for (uint kind = 0; kind < MAX_PRIMITIVE_KINDS; ++kind) {
+        for (const PrimitiveBlock &block : built.blocks[kind]) {
+            ASSERT_GE(block.count, 1u);
+            ASSERT_LE(block.count, BLOCK_SIZE);
+            for (uint i = 0; i < block.count; ++i) {
+                ASSERT_EQ(references.at(block.references[i]).kind, kind);
+                ASSERT_TRUE(i == 0 || block.references[i - 1] < block.references[i]);
+                ++found[block.references[i]];
+            }
+        }
+    }
+    EXPECT_TRUE(std::all_of(found.begin(), found.end(), [](uint times) { return times == 1; }));
+}
+
+TEST_P(WideBvhOfCase, EveryBlockAndNodeHasOneParentAndComesAfterIt) {
+    std::array<uint, MAX_PRIMITIVE_KINDS> next_block{};
+    std::vector<uint> parents(nodes.size());
+    for (uint i = 0; i < nodes.size(); ++i) {
+        const uint children = children_of(nodes[i]);
+        ASSERT_GE(children, i == 0 ? 1u : 2u);
+        for (uint slot = 0; slot < BVH_WIDTH; ++slot) {
+            const uint word = nodes[i].child[slot];
+            ASSERT_EQ(slot >= children, word == BVH_EMPTY);
+            if (word == BVH_EMPTY) {
+                ASSERT_TRUE(box_of(nodes[i], slot).low == vec3(0) && box_of(nodes[i], slot).high == vec3(0));
+            } else if (word & BVH_LEAF) {
+                ++next_block[word >> BVH_KIND_SHIFT & 7u];
+                ASSERT_LT(word & BVH_BLOCK, built.blocks[word >> BVH_KIND_SHIFT & 7u].size());
+            } else {
+                ASSERT_GT(word, i);
+                ++parents.at(word);
+            }
+        }
+    }
+    EXPECT_TRUE(std::all_of(parents.begin() + 1, parents.end(), [](uint count) { return count == 1; }));
+    for (uint kind = 0; kind < MAX_PRIMITIVE_KINDS; ++kind) {
+        EXPECT_EQ(next_block[kind], built.blocks[kind].size());
+    }
+}
+
+TEST_P(WideBvhOfCase, DepthFirstOrderMeetsBlocksAndNodesInTheOrderOfTheirNumbers) {
+    std::array<uint, MAX_PRIMITIVE_KINDS> next_block{};
+    uint next_node = 1;
+    const auto visit = [&](const auto &self, uint node) -> void {
+        for (uint slot = 0; slot < children_of(nodes[node]); ++slot) {
+            const uint word = nodes[node].child[slot];
+            if (word & BVH_LEAF) {
+                EXPECT_EQ(word & BVH_BLOCK, next_block[word >> BVH_KIND_SHIFT & 7u]++);
+            } else {
+                EXPECT_EQ(word, next_node++);
+                self(self, word);
+            }
+        }
+    };
+    visit(visit, 0);
+    EXPECT_EQ(next_node, built.node_count);
+}
+
+TEST_P(WideBvhOfCase, BoxesAreTheExactUnionsOfTheirReferences) {
+    for (const BvhNode &node : nodes) {
+        for (uint slot = 0; slot < children_of(node); ++slot) {
+            const Bounds expected = bounds_below(node.child[slot]), box = box_of(node, slot);
+            ASSERT_TRUE(box.low == expected.low && box.high == expected.high);
+        }
+    }
+}
+
+TEST_P(WideBvhOfCase, ChildrenAreSortedByTheNumberOfPrimitivesLargestFirst) {
+    for (const BvhNode &node : nodes) {
+        for (uint slot = 1; slot < children_of(node); ++slot) {
+            ASSERT_GE(primitives_below(node.child[slot - 1]), primitives_below(node.child[slot]));
+        }
+    }
+}
+
+TEST_P(WideBvhOfCase, TheTraversalsStackIsDeepEnough) { EXPECT_LE(stack_entries(0), 128u); }
+
+TEST_P(WideBvhOfCase, TheNumberOfThreadsDoesNotShow) {
+    for (const size_t threads : {1, 2}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        const BuiltAccelerator again = build(references);
+        EXPECT_EQ(again.nodes, built.nodes);
+        for (uint kind = 0; kind < MAX_PRIMITIVE_KINDS; ++kind) {
+            const auto same = [](const PrimitiveBlock &a, const PrimitiveBlock &b) { return a.count == b.count && a.references == b.references; };
+            EXPECT_TRUE(std::ranges::equal(again.blocks[kind], built.blocks[kind], same));
+        }
+    }
+}
+
+TEST(WideBvh, NoReferencesMakeARootWithoutChildren) {
+    const std::vector<BvhNode> nodes = nodes_of(build({}));
+    ASSERT_EQ(nodes.size(), 1u);
+    EXPECT_EQ(children_of(nodes[0]), 0u);
+}
+
+TEST(WideBvh, TheSignOfAZeroDoesNotShow) {
+    References references = scaled(random_boxes(1'000, 1, 0.01f), {1, 1, 0});
+    const BuiltAccelerator expected = build(references);
+    for (uint i = 0; i < references.size(); i += 2) {
+        references[i].bounds.low.z = -0.0f;
+    }
+    EXPECT_EQ(build(references).nodes, expected.nodes);
+}
+
+TEST(WideBvh, TwoKindsInOnePlaceAreSplitByKind) {
+    // 8 of each in one place are two full blocks; a split in space would leave four halves.
+    References references(16, {{vec3(0), vec3(1)}, 0});
+    for (uint i = 0; i < references.size(); ++i) {
+        references[i].kind = i % 2;
+    }
+    const BuiltAccelerator built = build(references);
+    EXPECT_EQ(built.node_count, 1u);
+    EXPECT_EQ(built.blocks[0].size(), 1u);
+    EXPECT_EQ(built.blocks[1].size(), 1u);
+}
+
+TEST(WideBvh, CoincidingReferencesFillTheirBlocks) { EXPECT_EQ(build(References(1'003, {{vec3(1), vec3(2)}, 0})).blocks[0].size(), 126u); }
+
+}  // namespace
+}  // namespace brandung

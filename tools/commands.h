@@ -1,0 +1,11 @@
+/// The subcommands: each adds its options to the program and sets the exit status when it runs.
+#pragma once
+#include <CLI/App.hpp>
+
+namespace brandung {
+
+void add_render(CLI::App &app, int &status);
+void add_info(CLI::App &app, int &status);
+void add_devices(CLI::App &app, int &status);
+
+}  // namespace brandung

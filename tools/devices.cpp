@@ -1,0 +1,40 @@
+/// brandung devices: platforms and devices, and which one would be chosen.
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+#include "runtime/opencl/device.h"
+#include "tools/commands.h"
+
+namespace brandung {
+namespace {
+
+void list_devices(bool as_json) {
+    nlohmann::json list = nlohmann::json::array();
+    const auto devices = Device::list();
+    for (const auto &[info, chosen] : devices) {
+        list.push_back({{"platform", info.platform},
+                        {"name", info.name},
+                        {"version", info.version},
+                        {"compute_units", info.compute_units},
+                        {"memory_bytes", info.memory},
+                        {"unsuitable", info.unsuitable},
+                        {"chosen", chosen}});
+        if (!as_json)
+            fmt::print("{} {} | {} | {} compute units, {} MiB{}\n", chosen ? "*" : " ", info.name, info.platform, info.compute_units, info.memory >> 20,
+                       info.unsuitable.empty() ? "" : " | cannot be used: it " + info.unsuitable);
+    }
+    if (as_json) fmt::print("{}\n", list.dump(2));
+    if (devices.empty()) throw Error("no OpenCL device found: install one, for a CPU Debian's package pocl-opencl-icd");
+}
+
+}  // namespace
+
+void add_devices(CLI::App &app, int &) {
+    CLI::App *command = app.add_subcommand("devices", "list the OpenCL devices; the one that is taken by default is marked");
+    auto as_json = std::make_shared<bool>(false);
+    command->add_flag("--json", *as_json, "print JSON");
+    command->callback([as_json] { list_devices(*as_json); });
+}
+
+}  // namespace brandung

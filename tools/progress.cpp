@@ -1,0 +1,48 @@
+#include "tools/progress.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+namespace brandung {
+namespace {
+
+constexpr int bar_width = 30;
+
+std::string duration(double seconds) {
+    const auto whole = static_cast<std::uint64_t>(seconds + 0.5);
+    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+std::string line_for(const RenderProgress &progress) {
+    const double part = static_cast<double>(progress.samples_done) / static_cast<double>(progress.samples_total);
+    const double left = part > 0 ? progress.seconds * (1 - part) / part : 0;
+    const double speed = progress.seconds > 0 ? static_cast<double>(progress.samples_done) * 1e-6 / progress.seconds : 0;
+    const std::string done(static_cast<std::size_t>(part * bar_width), '#');
+    return fmt::format("[{:<30}] {:3.0f} %  {:.2f} M samples/s  {} left", done, 100 * part, speed, duration(left));
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
+
+void ProgressLine::say(const std::string &what) {
+    if (quiet_ || !terminal_) return;
+    fmt::print(stderr, "\r\033[K{}", what);
+    std::fflush(stderr);
+}
+
+/// On a terminal ten times a second on one line, else a line every five seconds; the end always.
+void ProgressLine::show(const RenderProgress &progress) {
+    const auto now = std::chrono::steady_clock::now();
+    const bool last = progress.samples_done == progress.samples_total;
+    if (quiet_ || (!last && now - shown_ < std::chrono::milliseconds(terminal_ ? 100 : 5000))) return;
+    shown_ = now;
+    fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line_for(progress), terminal_ ? "" : "\n");
+    std::fflush(stderr);
+}
+
+void ProgressLine::clear() {
+    if (!quiet_ && terminal_) fmt::print(stderr, "\r\033[K");
+}
+
+}  // namespace brandung
