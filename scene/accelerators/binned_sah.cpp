@@ -8,7 +8,7 @@
 namespace brandung {
 namespace {
 
-constexpr uint MAX_BINS = 32;
+constexpr uint MAX_BINS = 32;    // 16 cost a ray up to 0.7 % more steps
 constexpr size_t GRAIN = 32768;  // references of a task
 
 using References = std::span<const SortedReference>;

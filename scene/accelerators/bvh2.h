@@ -27,7 +27,7 @@ struct Bvh2 {
     double area(const Bvh2Node &node) const { return node.box.half_area(pad); }
 };
 
-/// Parallel build by binned SAH. All leaves fit a block, and some nodes above leaves do, too: blocks better left in pieces can be.
+/// Parallel build by binned SAH. All leaves fit a block; so do some nodes above leaves, for the collapse to choose from.
 /// Leaves are at most ceil(log2(size of references)) + `slack` below the root: 0 gives a balanced tree. There must be a reference.
 Bvh2 build_bvh2(std::span<const Reference> references, uint slack);
 
