@@ -38,6 +38,7 @@ typedef struct {
 #define SURFACE_HIT 1u     ///< the ray hit something
 #define SURFACE_ENTERS 2u  ///< it comes from outside the object
 #define SURFACE_PASSES 4u  ///< a medium of higher priority hides the interface: the ray goes straight on
+#define SURFACE_LIT_BEYOND 8u  ///< seen from inside a transparent object: light falls on the other side, the outside
 
 /// Where a ray met the scene, ready for every later stage; 64 bytes.
 typedef struct {

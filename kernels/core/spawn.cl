@@ -15,6 +15,12 @@ FUNCTION vec3 spawn_origin(SurfacePoint surface, vec3 direction) {
     return make3(away(surface.p.x + offset.x, offset.x), away(surface.p.y + offset.y, offset.y), away(surface.p.z + offset.z, offset.z));
 }
 
+/// +1 if light falls on the side of `wo`, -1 if on the other.
+FUNCTION float lit_side(SurfacePoint surface) { return (surface.flags & SURFACE_LIT_BEYOND) != 0u ? -1.0f : 1.0f; }
+
+/// Where rays to the lights begin.
+FUNCTION vec3 lit_origin(SurfacePoint surface) { return spawn_origin(surface, scaled(surface.wo, lit_side(surface))); }
+
 FUNCTION Ray ray_spawn(SurfacePoint surface, vec3 direction, uint kind) {
     Ray ray;
     ray.origin = spawn_origin(surface, direction);
@@ -24,7 +30,7 @@ FUNCTION Ray ray_spawn(SurfacePoint surface, vec3 direction, uint kind) {
     return ray;
 }
 
-/// From the side of `wo` towards a light that lies `distance` away in `direction`; ends before it by more than the rounding of both ends.
+/// From a surface towards a light that lies `distance` away in `direction`; ends before it by more than the rounding of both ends.
 FUNCTION Ray ray_to_light(vec3 origin, vec3 direction, float distance) {
     Ray ray;
     ray.origin = origin;

@@ -81,9 +81,9 @@ kernel void spawn_shadow_rays(SCENE_PARAMS, uint first_light, uint stride, uint 
     FOR_EACH_ITEM(i, count) {
         const SurfacePoint surface = surfaces[i];
         const Material material = materials[surface.material];
-        const vec3 origin = spawn_origin(surface, surface.wo);
+        const vec3 origin = lit_origin(surface);
         const LightSample sample = light_sample(light, origin);
-        const bool faces = dot3(surface.normal, sample.direction) > 0.0f;
+        const bool faces = lit_side(surface) * dot3(surface.normal, sample.direction) > 0.0f;
         const bool shaded = (surface.flags & (SURFACE_HIT | SURFACE_PASSES)) == SURFACE_HIT;
         shadow_rays[row * stride + i] = ray_to_light(origin, sample.direction, sample.distance);
         alive[row * stride + i] = shaded && faces && bsdf_is_lit(material) && largest(sample.irradiance) > 0.0f;
@@ -111,8 +111,9 @@ kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint ligh
         const Light light = SCENE_ARRAY(scene, Light, lights)[first_light + row];
         FOR_EACH_ITEM(i, count) {
             const SurfacePoint surface = surfaces[i];
-            const LightSample sample = light_sample(light, spawn_origin(surface, surface.wo));
-            const Spectrum value = bsdf_local(materials[surface.material], surface.normal, surface.wo, sample.direction);
+            const LightSample sample = light_sample(light, lit_origin(surface));
+            const vec3 normal = scaled(surface.normal, lit_side(surface));
+            const Spectrum value = bsdf_local(materials[surface.material], normal, surface.wo, sample.direction);
             const Spectrum sum = plus(contributions[i], times(value, sample.irradiance));
             contributions[i] = where(visible[row * stride + i] != 0, sum, contributions[i]);
         }

@@ -30,7 +30,8 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
         point.p = surface.p;
         point.material = on_surface ? record.material : 0u;
         point.offset = scaled(surface.geometric, side * dot3(absolute(surface.geometric), surface.error));
-        point.flags = on_surface ? SURFACE_HIT | (enters ? SURFACE_ENTERS : 0u) | (hidden ? SURFACE_PASSES : 0u) : 0u;
+        const uint sides = enters ? SURFACE_ENTERS : transmits ? SURFACE_LIT_BEYOND : 0u;
+        point.flags = on_surface ? SURFACE_HIT | sides | (hidden ? SURFACE_PASSES : 0u) : 0u;
         point.normal = scaled(surface.normal, side);
         point.eta = (enters | !transmits) ? eta_around / eta_inside : eta_inside / eta_around;
         point.wo = negate(unit(ray.direction));
