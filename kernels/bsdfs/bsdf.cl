@@ -11,35 +11,35 @@ FUNCTION Split where(int c, Split a, Split b) {
     return r;
 }
 
-FUNCTION Spectrum bsdf_ambient(Material m) {
+FUNCTION Spectrum bsdf_ambient(const global Material *m) {
     Spectrum result = make3(0.0f, 0.0f, 0.0f);
-#define CASE(KIND, View, name) ONLY_IF(m.kind == KIND) result = where(m.kind == KIND, name##_ambient(m), result);
+#define CASE(KIND, View, name) ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_ambient(m), result);
     FOR_EACH_BSDF(CASE)
 #undef CASE
     return result;
 }
 
-FUNCTION bool bsdf_is_lit(Material m) {
+FUNCTION bool bsdf_is_lit(const global Material *m) {
     bool result = false;
-#define CASE(KIND, View, name) ONLY_IF(m.kind == KIND) result |= (m.kind == KIND) & name##_is_lit(m);
+#define CASE(KIND, View, name) ONLY_IF(m->kind == KIND) result |= (m->kind == KIND) & name##_is_lit(m);
     FOR_EACH_BSDF(CASE)
 #undef CASE
     return result;
 }
 
 /// Radiance towards `wo` per irradiance-free light from `wi` [1/sr], its cosine included; all unit vectors, away from the surface.
-FUNCTION Spectrum bsdf_local(Material m, vec3 normal, vec3 wo, vec3 wi) {
+FUNCTION Spectrum bsdf_local(const global Material *m, vec3 normal, vec3 wo, vec3 wi) {
     Spectrum result = make3(0.0f, 0.0f, 0.0f);
-#define CASE(KIND, View, name) ONLY_IF(m.kind == KIND) result = where(m.kind == KIND, name##_local(m, normal, wo, wi), result);
+#define CASE(KIND, View, name) ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_local(m, normal, wo, wi), result);
     FOR_EACH_BSDF(CASE)
 #undef CASE
     return result;
 }
 
-FUNCTION Split bsdf_split(Material m, float cosine, float cosine_squared_beyond, float eta) {
+FUNCTION Split bsdf_split(const global Material *m, float cosine, float cosine_squared_beyond, float eta) {
     Split result = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
 #define CASE(KIND, View, name) \
-    ONLY_IF(m.kind == KIND) result = where(m.kind == KIND, name##_split(m, cosine, cosine_squared_beyond, eta), result);
+    ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_split(m, cosine, cosine_squared_beyond, eta), result);
     FOR_EACH_BSDF(CASE)
 #undef CASE
     return result;

@@ -2,33 +2,30 @@
 #pragma once
 #include "kernels/bsdfs/bsdf.h"
 #include "kernels/bsdfs/whitted.h"
+#include "kernels/core/load.cl"
 #include "kernels/core/math.cl"
 #include "kernels/core/refraction.cl"
 #include "kernels/core/scene.h"
 
-FUNCTION Whitted whitted_view(Material m) {
+FUNCTION Whitted whitted_view(const global Material *m) {
     Whitted w;
-    w.ambient = make3(as_float(m.words[0]), as_float(m.words[1]), as_float(m.words[2]));
-    w.diffuse = make3(as_float(m.words[3]), as_float(m.words[4]), as_float(m.words[5]));
-    w.specular = make3(as_float(m.words[6]), as_float(m.words[7]), as_float(m.words[8]));
-    w.reflection = make3(as_float(m.words[9]), as_float(m.words[10]), as_float(m.words[11]));
-    w.transmission = make3(as_float(m.words[12]), as_float(m.words[13]), as_float(m.words[14]));
-    w.exponent = as_float(m.words[15]);
-    w.fresnel = m.words[16];
+    w.ambient = load_floats(m->words), w.diffuse = load_floats(m->words + 3), w.specular = load_floats(m->words + 6);
+    w.reflection = load_floats(m->words + 9), w.transmission = load_floats(m->words + 12);
+    w.exponent = as_float(m->words[15]), w.fresnel = m->words[16];
     return w;
 }
 
 /// Reflectance of ambient light.
-FUNCTION Spectrum whitted_ambient(Material m) { return whitted_view(m).ambient; }
+FUNCTION Spectrum whitted_ambient(const global Material *m) { return whitted_view(m).ambient; }
 
 /// Whether light from a light can be seen on it.
-FUNCTION bool whitted_is_lit(Material m) {
+FUNCTION bool whitted_is_lit(const global Material *m) {
     const Whitted w = whitted_view(m);
     return largest(maximum(w.diffuse, w.specular)) > 0.0f;
 }
 
 /// (kd N·L + ks (V·R)^n) / π [1/sr] of light from `wi` towards `wo`: with diffuse reflectance ρ, a surface under irradiance E has radiance ρE/π.
-FUNCTION Spectrum whitted_local(Material m, vec3 normal, vec3 wo, vec3 wi) {
+FUNCTION Spectrum whitted_local(const global Material *m, vec3 normal, vec3 wo, vec3 wi) {
     const Whitted w = whitted_view(m);
     const float cosine = dot3(normal, wi);
     const float mirrored = maximum(2.0f * cosine * dot3(normal, wo) - dot3(wi, wo), 0.0f);
@@ -38,9 +35,9 @@ FUNCTION Spectrum whitted_local(Material m, vec3 normal, vec3 wo, vec3 wi) {
 }
 
 /// At total internal reflection the reflected ray carries both weights, or with Fresnel's law its own.
-FUNCTION Split whitted_split(Material m, float cosine, float cosine_squared_beyond, float eta) {
+FUNCTION Split whitted_split(const global Material *m, float cosine, float cosine_squared_beyond, float eta) {
     const Whitted w = whitted_view(m);
-    const bool transmits = (m.flags & MATERIAL_TRANSMITS) != 0u;
+    const bool transmits = (m->flags & MATERIAL_TRANSMITS) != 0u;
     const bool total = transmits & (cosine_squared_beyond < 0.0f);
     const float f = fresnel(cosine, cosine_squared_beyond, eta);
     const Spectrum black = make3(0.0f, 0.0f, 0.0f);

@@ -21,7 +21,13 @@ typedef struct {
 typedef struct {
     float x, y, z;
 } vec3;
+// The x86-64 ABI passes three floats as <2 x float> and float, and what is left of that after inlining keeps the compiler from vectorising
+// loops over items; regcall passes every member on its own.
+#ifdef __x86_64__
+#define FUNCTION static inline __attribute__((always_inline, overloadable, regcall))
+#else
 #define FUNCTION static inline __attribute__((always_inline, overloadable))
+#endif
 #endif
 
 /// Radiance [W/(m² sr)], reflectance or throughput: linear Rec. 709 red, green, blue.

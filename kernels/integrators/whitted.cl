@@ -2,6 +2,7 @@
 #include "generated/constants.h"
 #include "generated/interior.cl"
 #include "kernels/bsdfs/bsdf.cl"
+#include "kernels/core/load.cl"
 #include "kernels/core/params.h"
 #include "kernels/core/random.cl"
 #include "kernels/core/refraction.cl"
@@ -24,21 +25,21 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     FOR_EACH_ITEM(i, count) {
         const uint k = live[first + i];
-        const Path path = paths[k];
-        const SurfacePoint surface = surfaces[i];
-        const Material material = materials[surface.material];
+        const Path path = load(paths + k);
+        const SurfacePoint surface = load(surfaces + i);
+        const global Material *material = materials + surface.material;
         const bool hit = (surface.flags & SURFACE_HIT) != 0u, passes = (surface.flags & SURFACE_PASSES) != 0u;
         const bool goes_on = hit & !passes & (path.depth < params.max_depth);
 
         const float cosine = minimum(maximum(dot3(surface.wo, surface.normal), 0.0f), 1.0f);
         const float cosine_squared_beyond = refracted_cosine_squared(cosine, surface.eta);
-        const bool transmits = (material.flags & MATERIAL_TRANSMITS) != 0u;
+        const bool transmits = (material->flags & MATERIAL_TRANSMITS) != 0u;
         const bool total = transmits & (cosine_squared_beyond < 0.0f);
         const Split split = bsdf_split(material, cosine, cosine_squared_beyond, surface.eta);
 
         const Spectrum reflected = times(path.throughput, split.reflected);
         const vec3 mirrored = unit(minus(scaled(surface.normal, 2.0f * cosine), surface.wo));
-        const bool reflects = ((material.flags & MATERIAL_REFLECTS) != 0u) | total;
+        const bool reflects = ((material->flags & MATERIAL_REFLECTS) != 0u) | total;
         const uint slot = i * BRANCHING;
         children[base + slot] = ray_spawn(surface, mirrored, RAY_REFLECTED);
         Path child = path;
@@ -46,7 +47,7 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
         child.depth = path.depth + 1u;
         child.branch = hash(path.branch * 2u);
         child_paths[base + slot] = child;
-        child_alive[slot] = goes_on & reflects & worth_tracing(reflected, params, material.flags);
+        child_alive[slot] = goes_on & reflects & worth_tracing(reflected, params, material->flags);
 
         if (BRANCHING == 2u) {
             const Interior inside = interior_load(interiors, k);
@@ -65,7 +66,7 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
             child.passes = passes ? path.passes + 1u : path.passes;
             child.branch = hash(path.branch * 2u + 1u);
             child_paths[base + slot + 1u] = child;
-            const bool refracts = goes_on & transmits & !total & worth_tracing(refracted, params, material.flags);
+            const bool refracts = goes_on & transmits & !total & worth_tracing(refracted, params, material->flags);
             child_alive[slot + 1u] = refracts | (hit & passes & (path.passes < params.max_passes));
         }
     }
@@ -77,10 +78,10 @@ kernel void spawn_shadow_rays(SCENE_PARAMS, uint first_light, uint stride, uint 
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     const uint row = get_global_id(1);
-    const Light light = SCENE_ARRAY(scene, Light, lights)[first_light + row];
+    const global Light *light = SCENE_ARRAY(scene, Light, lights) + first_light + row;
     FOR_EACH_ITEM(i, count) {
-        const SurfacePoint surface = surfaces[i];
-        const Material material = materials[surface.material];
+        const SurfacePoint surface = load(surfaces + i);
+        const global Material *material = materials + surface.material;
         const vec3 origin = lit_origin(surface);
         const LightSample sample = light_sample(light, origin);
         const bool faces = lit_side(surface) * dot3(surface.normal, sample.direction) > 0.0f;
@@ -100,25 +101,26 @@ kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint ligh
     const Spectrum background = scene.header->background, ambient = scene.header->ambient, black = make3(0.0f, 0.0f, 0.0f);
     {
         FOR_EACH_ITEM(i, count) {
-            const SurfacePoint surface = surfaces[i];
-            const Material material = materials[surface.material];
-            const Spectrum own = plus(material.emission, times(ambient, bsdf_ambient(material)));
+            const SurfacePoint surface = load(surfaces + i);
+            const global Material *material = materials + surface.material;
+            const Spectrum own = plus(load(&material->emission), times(ambient, bsdf_ambient(material)));
             const Spectrum unlit = where((surface.flags & SURFACE_HIT) != 0u, where((surface.flags & SURFACE_PASSES) != 0u, black, own), background);
             contributions[i] = where(first_light == 0u, unlit, black);
         }
     }
     for (uint row = 0u; row < lights; ++row) {
-        const Light light = SCENE_ARRAY(scene, Light, lights)[first_light + row];
+        const global Light *light = SCENE_ARRAY(scene, Light, lights) + first_light + row;
         FOR_EACH_ITEM(i, count) {
-            const SurfacePoint surface = surfaces[i];
+            const SurfacePoint surface = load(surfaces + i);
             const LightSample sample = light_sample(light, lit_origin(surface));
             const vec3 normal = scaled(surface.normal, lit_side(surface));
-            const Spectrum value = bsdf_local(materials[surface.material], normal, surface.wo, sample.direction);
-            const Spectrum sum = plus(contributions[i], times(value, sample.irradiance));
-            contributions[i] = where(visible[row * stride + i] != 0, sum, contributions[i]);
+            const Spectrum value = bsdf_local(materials + surface.material, normal, surface.wo, sample.direction);
+            const Spectrum before = load(contributions + i);
+            const Spectrum sum = plus(before, times(value, sample.irradiance));
+            contributions[i] = where(visible[row * stride + i] != 0, sum, before);
         }
     }
     {
-        FOR_EACH_ITEM(i, count) { contributions[i] = times(contributions[i], paths[live[first + i]].throughput); }
+        FOR_EACH_ITEM(i, count) { contributions[i] = times(load(contributions + i), load(&paths[live[first + i]].throughput)); }
     }
 }

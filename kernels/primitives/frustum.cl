@@ -1,22 +1,22 @@
 // Frustum: the surface at a hit.
 #pragma once
-#include "kernels/core/lanes_1.cl"
+#include "kernels/core/load.cl"
 #include "kernels/core/items.h"
 #include "kernels/core/scene.cl"
 #include "kernels/primitives/frustum.h"
 #include "kernels/primitives/surface.h"
 
-FUNCTION FrustumShading frustum_view(ShadingRecord record) {
+FUNCTION FrustumShading frustum_view(const global ShadingRecord *record) {
     FrustumShading frustum;
-    frustum.center = make3(as_float(record.words[0]), as_float(record.words[1]), as_float(record.words[2]));
-    frustum.axis = make3(as_float(record.words[3]), as_float(record.words[4]), as_float(record.words[5]));
-    frustum.radius = as_float(record.words[6]);
-    frustum.slope = as_float(record.words[7]);
+    frustum.center = load_floats(record->words);
+    frustum.axis = load_floats(record->words + 3);
+    frustum.radius = as_float(record->words[6]);
+    frustum.slope = as_float(record->words[7]);
     return frustum;
 }
 
 /// The point is put back onto the surface, so that its error does not grow with the ray's length.
-FUNCTION Surface frustum_surface(Scene scene, ShadingRecord record, Ray ray, Hit hit) {
+FUNCTION Surface frustum_surface(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
     const FrustumShading frustum = frustum_view(record);
     const vec3 f = plus(minus(ray.origin, frustum.center), scaled(ray.direction, hit.t));
     const float z = dot3(f, frustum.axis);

@@ -1,20 +1,20 @@
 // Sphere: the surface at a hit.
 #pragma once
-#include "kernels/core/lanes_1.cl"
+#include "kernels/core/load.cl"
 #include "kernels/core/items.h"
 #include "kernels/core/scene.cl"
 #include "kernels/primitives/sphere.h"
 #include "kernels/primitives/surface.h"
 
-FUNCTION SphereShading sphere_view(ShadingRecord record) {
+FUNCTION SphereShading sphere_view(const global ShadingRecord *record) {
     SphereShading sphere;
-    sphere.center = make3(as_float(record.words[0]), as_float(record.words[1]), as_float(record.words[2]));
-    sphere.radius = as_float(record.words[3]);
+    sphere.center = load_floats(record->words);
+    sphere.radius = as_float(record->words[3]);
     return sphere;
 }
 
 /// The point is put back onto the sphere, so that its error does not grow with the ray's length.
-FUNCTION Surface sphere_surface(Scene scene, ShadingRecord record, Ray ray, Hit hit) {
+FUNCTION Surface sphere_surface(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
     const SphereShading sphere = sphere_view(record);
     const float radius = fabs(sphere.radius);
     Surface surface;

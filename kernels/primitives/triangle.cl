@@ -1,16 +1,16 @@
 // Triangle: the surface at a hit.
 #pragma once
-#include "kernels/core/lanes_1.cl"
+#include "kernels/core/load.cl"
 #include "kernels/core/items.h"
 #include "kernels/core/scene.cl"
 #include "kernels/primitives/surface.h"
 #include "kernels/primitives/triangle.h"
 
-FUNCTION TriangleShading triangle_view(ShadingRecord record) {
+FUNCTION TriangleShading triangle_view(const global ShadingRecord *record) {
     TriangleShading triangle;
-    triangle.a = make3(as_float(record.words[0]), as_float(record.words[1]), as_float(record.words[2]));
-    triangle.b = make3(as_float(record.words[3]), as_float(record.words[4]), as_float(record.words[5]));
-    triangle.c = make3(as_float(record.words[6]), as_float(record.words[7]), as_float(record.words[8]));
+    triangle.a = load_floats(record->words);
+    triangle.b = load_floats(record->words + 3);
+    triangle.c = load_floats(record->words + 6);
     return triangle;
 }
 
@@ -21,7 +21,7 @@ FUNCTION vec3 cross_of_differences(vec3 a, vec3 b, vec3 c) {
 }
 
 /// The point as a weighted mean of the vertices: its error does not grow with the ray's length (Pharr et al., PBR 4ed, 6.8.5).
-FUNCTION Surface triangle_surface(Scene scene, ShadingRecord record, Ray ray, Hit hit) {
+FUNCTION Surface triangle_surface(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
     const TriangleShading triangle = triangle_view(record);
     const vec3 a = scaled(triangle.a, 1.0f - hit.u - hit.v), b = scaled(triangle.b, hit.u), c = scaled(triangle.c, hit.v);
     const vec3 n = cross_of_differences(triangle.a, triangle.b, triangle.c);
