@@ -1,9 +1,10 @@
 /// Neutral File Format (E. Haines, 1988-1996, version 3.9), the format of the Standard Procedural Databases.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
-#include <optional>
 
 #include "scene/bsdfs/bsdf.h"
 #include "scene/formats/format.h"

@@ -1,6 +1,7 @@
 /// Frusta of cones and cylinders, without caps.
 #include "kernels/primitives/frustum.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>

@@ -1,7 +1,9 @@
 /// Meshes of triangles, flat or with interpolated normals.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 
