@@ -15,6 +15,8 @@
 
 namespace {
 
+using brandung::Probe;
+
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float least = std::numeric_limits<float>::denorm_min();
