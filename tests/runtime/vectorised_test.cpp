@@ -1,0 +1,130 @@
+/// Stages are vectorised: the property is lost silently (a library call, a switch, a vector type), and costs up to four times the time.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own that goes when the test does.
+class Folder {
+public:
+    Folder() : path_(fs::temp_directory_path() / ("brandung_vectorised_" + std::to_string(getpid()))) { fs::create_directories(path_); }
+    ~Folder() { fs::remove_all(path_); }
+    const fs::path &path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+std::string read_text(const fs::path &path) {
+    std::ifstream in(path);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// All kinds of primitives and lights; the material decides which kernels are built.
+std::string scene_of(const std::string &material) {
+    return R"({"film": {"width": 32, "height": 32, "spp": 4}, "camera": {"from": [0, 1, 6], "at": [0, 0, 0], "fov": 40}, "ambient": 0.1,
+        "materials": [{"name": "m", "type": "whitted", "diffuse": 0.5, "specular": 0.4, "exponent": 20)" +
+           material + R"(}],
+        "lights": [{"type": "point", "position": [3, 5, 4], "intensity": 100}, {"type": "directional", "direction": [0, -1, -1], "irradiance": 1}],
+        "objects": [{"type": "sphere", "material": "m", "center": [0, 0, 0], "radius": 1},
+            {"type": "cylinder", "material": "m", "base": [-2, -1, 0], "apex": [-2, 1, 0], "radius": 0.5},
+            {"type": "polygon", "material": "m", "vertices": [[-4, -1, 4], [4, -1, 4], [4, -1, -4], [-4, -1, -4]]},
+            {"type": "triangle_mesh", "material": "m", "positions": [[1, -1, 0], [3, -1, 0], [2, 1, 0]], "normals": [[0, 0, 1], [0.1, 0, 1], [0, 0.1, 1]],
+             "indices": [0, 1, 2]}]})";
+}
+
+/// What the vectoriser says while the program renders: text without line ends, "kernels/<file>:<line>:<column>: <remark>" again and again.
+/// -g in PoCL's build flags makes it name lines, a fresh cache makes it compile.
+std::string remarks_of(const std::string &scene) {
+    const Folder folder;
+    std::ofstream(folder.path() / "scene.json") << scene;
+    const std::string command = "cd '" + folder.path().string() + "' && mkdir cache && POCL_CACHE_DIR=$PWD/cache POCL_VECTORIZER_REMARKS=1 " +
+                                "POCL_EXTRA_BUILD_FLAGS=-g KERNEL_DIR='" BRANDUNG_SOURCE_DIR "' '" BRANDUNG_PROGRAM
+                                "' render scene.json -o picture.exr --quiet >remarks 2>errors";
+    const int status = std::system(command.c_str());
+    EXPECT_EQ(status, 0) << read_text(folder.path() / "errors");
+    return read_text(folder.path() / "remarks");
+}
+
+/// A loop by "file:line".
+struct Remarks {
+    std::set<std::string> vectorised;           ///< at width 16, or before the remarks begin
+    std::map<std::string, std::string> failed;  ///< and why
+};
+
+/// Loops whose bodies call no built-in function are vectorised already when the program is built, where PoCL gives no remarks; later it says that
+/// they have been. A loop with the mark that could not be vectorised is always named with another reason.
+Remarks parse(const std::string &text) {
+    static const std::regex remark(
+        R"((kernels/[a-z0-9_/]+\.cl:\d+):\d+: (vectorized loop \(vectorization width: \d+|loop not vectorized[^<]*?(?=kernels/|<|$)))");
+    Remarks remarks;
+    for (auto match = std::sregex_iterator(text.begin(), text.end(), remark); match != std::sregex_iterator(); ++match) {
+        const std::string loop = (*match)[1], what = (*match)[2];
+        if (what == "vectorized loop (vectorization width: 16" || what.find("already been vectorized") != std::string::npos)
+            remarks.vectorised.insert(loop);
+        else
+            remarks.failed.emplace(loop, what);
+    }
+    return remarks;
+}
+
+/// Every use of FOR_EACH_ITEM under kernels/, which is the promise of a vectorised loop, by "file:line".
+std::set<std::string> marked_loops() {
+    std::set<std::string> loops;
+    for (const auto &file : fs::recursive_directory_iterator(BRANDUNG_SOURCE_DIR "/kernels")) {
+        if (file.path().extension() != ".cl") continue;
+        std::istringstream lines(read_text(file.path()));
+        std::string line;
+        for (int number = 1; std::getline(lines, line); ++number)
+            if (line.find(" FOR_EACH_ITEM(") != std::string::npos && line.find("#define") == std::string::npos)
+                loops.insert(fs::relative(file.path(), BRANDUNG_SOURCE_DIR).string() + ":" + std::to_string(number));
+    }
+    return loops;
+}
+
+void expect_no_failure(const Remarks &remarks) {
+    for (const std::string &loop : marked_loops())
+        if (const auto failed = remarks.failed.find(loop); failed != remarks.failed.end()) ADD_FAILURE() << loop << ": " << failed->second;
+}
+
+}  // namespace
+
+TEST(Vectorised, EveryMarkedLoopIs16WideInASceneWithEverything) {
+    const Remarks remarks = parse(remarks_of(scene_of(R"(, "reflection": 0.3, "transmission": 0.5, "eta": 1.5, "fresnel": true)")));
+    expect_no_failure(remarks);
+    const std::set<std::string> loops = marked_loops();
+    EXPECT_GE(loops.size(), 8u);
+    for (const std::string &loop : loops) EXPECT_TRUE(remarks.vectorised.contains(loop)) << loop;
+}
+
+TEST(Vectorised, EveryMarkedLoopIs16WideInASceneOfMirrors) {
+    const Remarks remarks = parse(remarks_of(scene_of(R"(, "reflection": 0.3)")));
+    expect_no_failure(remarks);
+    for (const std::string &loop : marked_loops()) EXPECT_TRUE(remarks.vectorised.contains(loop)) << loop;
+}
+
+TEST(Vectorised, ParseTellsVectorisedLoopsFromOthers) {
+    const Remarks remarks = parse(
+        "<unknown>:0:0: hoisting addkernels/stages/a.cl:8:5: vectorized loop (vectorization width: 16, interleaved count: 1)kernels/stages/b.cl:9:5: "
+        "vectorized loop (vectorization width: 8, interleaved count: 1)kernels/stages/c.cl:7:9: loop not vectorized: instruction return type cannot "
+        "be "
+        "vectorized<unknown>:0:0: 12 instructions in functionkernels/stages/d.cl:3:1: loop not vectorized: vectorization and interleaving are "
+        "explicitly "
+        "disabled, or the loop has already been vectorized");
+    EXPECT_EQ(remarks.vectorised, (std::set<std::string>{"kernels/stages/a.cl:8", "kernels/stages/d.cl:3"}));
+    EXPECT_EQ(remarks.failed.size(), 2u);
+    EXPECT_TRUE(remarks.failed.contains("kernels/stages/b.cl:9"));
+    EXPECT_TRUE(remarks.failed.contains("kernels/stages/c.cl:7"));
+}
