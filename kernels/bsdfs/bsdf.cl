@@ -19,14 +19,6 @@ FUNCTION Spectrum bsdf_ambient(const global Material *m) {
     return result;
 }
 
-FUNCTION bool bsdf_is_lit(const global Material *m) {
-    bool result = false;
-#define CASE(KIND, View, name) ONLY_IF(m->kind == KIND) result |= (m->kind == KIND) & name##_is_lit(m);
-    FOR_EACH_BSDF(CASE)
-#undef CASE
-    return result;
-}
-
 /// Radiance towards `wo` per irradiance-free light from `wi` [1/sr], its cosine included; all unit vectors, away from the surface.
 FUNCTION Spectrum bsdf_local(const global Material *m, vec3 normal, vec3 wo, vec3 wi) {
     Spectrum result = make3(0.0f, 0.0f, 0.0f);

@@ -18,12 +18,6 @@ FUNCTION Whitted whitted_view(const global Material *m) {
 /// Reflectance of ambient light.
 FUNCTION Spectrum whitted_ambient(const global Material *m) { return whitted_view(m).ambient; }
 
-/// Whether light from a light can be seen on it.
-FUNCTION bool whitted_is_lit(const global Material *m) {
-    const Whitted w = whitted_view(m);
-    return largest(maximum(w.diffuse, w.specular)) > 0.0f;
-}
-
 /// (kd N·L + ks (V·R)^n) / π [1/sr] of light from `wi` towards `wo`: with diffuse reflectance ρ, a surface under irradiance E has radiance ρE/π.
 FUNCTION Spectrum whitted_local(const global Material *m, vec3 normal, vec3 wo, vec3 wi) {
     const Whitted w = whitted_view(m);

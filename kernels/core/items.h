@@ -35,22 +35,27 @@ typedef struct {
     uint passes;          ///< interfaces passed that a medium of higher priority hides
 } Path;
 
-#define SURFACE_HIT 1u     ///< the ray hit something
-#define SURFACE_ENTERS 2u  ///< it comes from outside the object
-#define SURFACE_PASSES 4u  ///< a medium of higher priority hides the interface: the ray goes straight on
-#define SURFACE_LIT_BEYOND 8u  ///< seen from inside a transparent object: light falls on the other side, the outside
+#define SURFACE_HIT 1u         ///< the ray hit something
+#define SURFACE_ENTERS 2u      ///< it comes from outside the object
+#define SURFACE_PASSES 4u      ///< a medium of higher priority hides the interface: the ray goes straight on
+#define SURFACE_LIT 8u         ///< light from lights can be seen on it
+#define SURFACE_LIT_BEYOND 16u  ///< and falls on the side away from `wo`: a transparent object's outside, seen from inside
 
-/// Where a ray met the scene, ready for every later stage; 64 bytes.
+/// Where a ray met the scene; 32 bytes.
 typedef struct {
     vec3 p;
     uint material;
     vec3 offset;  ///< geometric unit normal on the side of `wo`, times a bound on the distance from p to the true surface
     uint flags;   ///< SURFACE_...
+} SurfacePoint;
+
+/// How the surface lies there; 32 bytes.
+typedef struct {
     vec3 normal;  ///< shading normal, unit length, on the side of `wo`
     float eta;    ///< index of refraction on the side of `wo` over that beyond
     vec3 wo;      ///< unit length, back along the ray
     uint spare;
-} SurfacePoint;
+} SurfaceFrame;
 
 /// Rays and hits that one work-item of a tracing stage has seen, by kind of ray.
 typedef struct {

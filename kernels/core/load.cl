@@ -29,9 +29,16 @@ FUNCTION Path load(const global Path *p) {
 
 FUNCTION SurfacePoint load(const global SurfacePoint *p) {
     SurfacePoint point;
-    point.p = load(&p->p), point.offset = load(&p->offset), point.normal = load(&p->normal), point.wo = load(&p->wo);
-    point.material = p->material, point.flags = p->flags, point.eta = p->eta, point.spare = p->spare;
+    point.p = load(&p->p), point.offset = load(&p->offset);
+    point.material = p->material, point.flags = p->flags;
     return point;
+}
+
+FUNCTION SurfaceFrame load(const global SurfaceFrame *p) {
+    SurfaceFrame frame;
+    frame.normal = load(&p->normal), frame.wo = load(&p->wo);
+    frame.eta = p->eta, frame.spare = p->spare;
+    return frame;
 }
 
 /// Three words at w as floats.

@@ -9,17 +9,19 @@ FUNCTION float away(float value, float direction) {
     return direction > 0.0f ? up : direction < 0.0f ? down : value;
 }
 
-/// The point moved by its error bound to the side of `direction`, rounded away from the surface (Pharr et al., PBR 4ed, 6.8.6).
-FUNCTION vec3 spawn_origin(SurfacePoint surface, vec3 direction) {
-    const vec3 offset = scaled(surface.offset, dot3(surface.offset, direction) < 0.0f ? -1.0f : 1.0f);
+/// The point moved by its error bound, side 1: to the side of `wo`, -1: beyond; rounded away from the surface (Pharr et al., PBR 4ed, 6.8.6).
+FUNCTION vec3 origin_on_side(SurfacePoint surface, float side) {
+    const vec3 offset = scaled(surface.offset, side);
     return make3(away(surface.p.x + offset.x, offset.x), away(surface.p.y + offset.y, offset.y), away(surface.p.z + offset.z, offset.z));
 }
 
-/// +1 if light falls on the side of `wo`, -1 if on the other.
-FUNCTION float lit_side(SurfacePoint surface) { return (surface.flags & SURFACE_LIT_BEYOND) != 0u ? -1.0f : 1.0f; }
+/// The origin of a ray that leaves in `direction`.
+FUNCTION vec3 spawn_origin(SurfacePoint surface, vec3 direction) {
+    return origin_on_side(surface, dot3(surface.offset, direction) < 0.0f ? -1.0f : 1.0f);
+}
 
-/// Where rays to the lights begin.
-FUNCTION vec3 lit_origin(SurfacePoint surface) { return spawn_origin(surface, scaled(surface.wo, lit_side(surface))); }
+/// 1 if light falls on the side of `wo`, -1 if beyond.
+FUNCTION float lit_side(SurfacePoint surface) { return (surface.flags & SURFACE_LIT_BEYOND) != 0u ? -1.0f : 1.0f; }
 
 FUNCTION Ray ray_spawn(SurfacePoint surface, vec3 direction, uint kind) {
     Ray ray;

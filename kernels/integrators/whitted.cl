@@ -15,93 +15,98 @@ FUNCTION bool worth_tracing(Spectrum throughput, WhittedParams params, uint flag
     return (weight >= params.threshold) & ((weight > 0.0f) | ((flags & MATERIAL_SPAWNS_ALWAYS) != 0u));
 }
 
-/// Children of live item i: the mirrored ray in slot base + i * BRANCHING, and where BRANCHING is 2 the refracted one in the next.
+/// Children of live item i: the mirrored ray in slot base + i, and where BRANCHING is 2 the refracted one in slot base + count + i.
 /// An interface that a medium of higher priority hides is passed straight on by the refracted ray, at no depth.
 kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const global Path *restrict paths,
-                          const global SurfacePoint *restrict surfaces, const global uint *restrict interiors, uint base,
+                          const global SurfacePoint *restrict points, const global SurfaceFrame *restrict frames, const global uint *restrict interiors, uint base,
                           global Ray *restrict children, global Path *restrict child_paths, global uint *restrict child_interiors,
                           global uchar *restrict child_alive) {
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
+    const global uint *list = live + first;
+    global Ray *mirrored_rays = children + base, *refracted_rays = mirrored_rays + count;
+    global Path *mirrored_paths = child_paths + base, *refracted_paths = mirrored_paths + count;
+    global uchar *mirrored_alive = child_alive, *refracted_alive = child_alive + count;
     FOR_EACH_ITEM(i, count) {
-        const uint k = live[first + i];
+        const uint k = list[i];
         const Path path = load(paths + k);
-        const SurfacePoint surface = load(surfaces + i);
+        const SurfacePoint surface = load(points + i);
+        const SurfaceFrame frame = load(frames + i);
         const global Material *material = materials + surface.material;
         const bool hit = (surface.flags & SURFACE_HIT) != 0u, passes = (surface.flags & SURFACE_PASSES) != 0u;
         const bool goes_on = hit & !passes & (path.depth < params.max_depth);
 
-        const float cosine = minimum(maximum(dot3(surface.wo, surface.normal), 0.0f), 1.0f);
-        const float cosine_squared_beyond = refracted_cosine_squared(cosine, surface.eta);
+        const float cosine = minimum(maximum(dot3(frame.wo, frame.normal), 0.0f), 1.0f);
+        const float cosine_squared_beyond = refracted_cosine_squared(cosine, frame.eta);
         const bool transmits = (material->flags & MATERIAL_TRANSMITS) != 0u;
         const bool total = transmits & (cosine_squared_beyond < 0.0f);
-        const Split split = bsdf_split(material, cosine, cosine_squared_beyond, surface.eta);
+        const Split split = bsdf_split(material, cosine, cosine_squared_beyond, frame.eta);
 
         const Spectrum reflected = times(path.throughput, split.reflected);
-        const vec3 mirrored = unit(minus(scaled(surface.normal, 2.0f * cosine), surface.wo));
+        const vec3 mirrored = unit(minus(scaled(frame.normal, 2.0f * cosine), frame.wo));
         const bool reflects = ((material->flags & MATERIAL_REFLECTS) != 0u) | total;
-        const uint slot = i * BRANCHING;
-        children[base + slot] = ray_spawn(surface, mirrored, RAY_REFLECTED);
+        mirrored_rays[i] = ray_spawn(surface, mirrored, RAY_REFLECTED);
         Path child = path;
         child.throughput = reflected;
         child.depth = path.depth + 1u;
         child.branch = hash(path.branch * 2u);
-        child_paths[base + slot] = child;
-        child_alive[slot] = goes_on & reflects & worth_tracing(reflected, params, material->flags);
+        mirrored_paths[i] = child;
+        mirrored_alive[i] = goes_on & reflects & worth_tracing(reflected, params, material->flags);
 
         if (BRANCHING == 2u) {
             const Interior inside = interior_load(interiors, k);
-            interior_store(child_interiors, base + slot, inside);
+            interior_store(child_interiors, base + i, inside);
             const bool enters = (surface.flags & SURFACE_ENTERS) != 0u;
             const Interior beyond =
                 where(enters, interior_entered(inside, surface.material), interior_left(inside, surface.material));
             const Spectrum refracted = where(passes, path.throughput, times(path.throughput, split.refracted));
-            const float bend = surface.eta * cosine - sqrt(maximum(cosine_squared_beyond, 0.0f));
-            const vec3 straight = negate(surface.wo);
-            const vec3 bent = unit(plus(scaled(straight, surface.eta), scaled(surface.normal, bend)));
-            children[base + slot + 1u] = ray_spawn(surface, where(passes, straight, bent), RAY_REFRACTED);
-            interior_store(child_interiors, base + slot + 1u, beyond);
+            const float bend = frame.eta * cosine - sqrt(maximum(cosine_squared_beyond, 0.0f));
+            const vec3 straight = negate(frame.wo);
+            const vec3 bent = unit(plus(scaled(straight, frame.eta), scaled(frame.normal, bend)));
+            refracted_rays[i] = ray_spawn(surface, where(passes, straight, bent), RAY_REFRACTED);
+            interior_store(child_interiors, base + count + i, beyond);
             child.throughput = refracted;
             child.depth = passes ? path.depth : path.depth + 1u;
             child.passes = passes ? path.passes + 1u : path.passes;
             child.branch = hash(path.branch * 2u + 1u);
-            child_paths[base + slot + 1u] = child;
+            refracted_paths[i] = child;
             const bool refracts = goes_on & transmits & !total & worth_tracing(refracted, params, material->flags);
-            child_alive[slot + 1u] = refracts | (hit & passes & (path.passes < params.max_passes));
+            refracted_alive[i] = refracts | (hit & passes & (path.passes < params.max_passes));
         }
     }
 }
 
 /// Work-items (chunk, row): the shadow ray from hit i to light first_light + row, at row * stride + i; alive where the light faces the surface.
-kernel void spawn_shadow_rays(SCENE_PARAMS, uint first_light, uint stride, uint count, const global SurfacePoint *restrict surfaces,
-                              global Ray *restrict shadow_rays, global uchar *restrict alive) {
+kernel void spawn_shadow_rays(SCENE_PARAMS, uint first_light, uint stride, uint count, const global SurfacePoint *restrict points,
+                              const global SurfaceFrame *restrict frames, global Ray *restrict shadow_rays, global uchar *restrict alive) {
     const Scene scene = SCENE;
-    const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     const uint row = get_global_id(1);
     const global Light *light = SCENE_ARRAY(scene, Light, lights) + first_light + row;
+    global Ray *row_rays = shadow_rays + row * stride;
+    global uchar *row_alive = alive + row * stride;
     FOR_EACH_ITEM(i, count) {
-        const SurfacePoint surface = load(surfaces + i);
-        const global Material *material = materials + surface.material;
-        const vec3 origin = lit_origin(surface);
+        const SurfacePoint surface = load(points + i);
+        const float side = lit_side(surface);
+        const vec3 origin = origin_on_side(surface, side);
         const LightSample sample = light_sample(light, origin);
-        const bool faces = lit_side(surface) * dot3(surface.normal, sample.direction) > 0.0f;
-        const bool shaded = (surface.flags & (SURFACE_HIT | SURFACE_PASSES)) == SURFACE_HIT;
-        shadow_rays[row * stride + i] = ray_to_light(origin, sample.direction, sample.distance);
-        alive[row * stride + i] = shaded && faces && bsdf_is_lit(material) && largest(sample.irradiance) > 0.0f;
+        const bool faces = side * dot3(load(&frames[i].normal), sample.direction) > 0.0f;
+        const bool lit = (surface.flags & (SURFACE_LIT | SURFACE_PASSES)) == SURFACE_LIT;
+        row_rays[i] = ray_to_light(origin, sample.direction, sample.distance);
+        row_alive[i] = lit && faces && largest(sample.irradiance) > 0.0f;
     }
 }
 
 /// contributions[i]: what hit i adds to its sample by the `lights` lights of this block whose visible[row * stride + i] is set; the first
 /// block also brings what needs no light: background, emission, ambient light.
 kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint lights, uint stride, const global Path *restrict paths,
-                          const global SurfacePoint *restrict surfaces, const global uchar *restrict visible,
+                          const global SurfacePoint *restrict points, const global SurfaceFrame *restrict frames, const global uchar *restrict visible,
                           global Spectrum *restrict contributions) {
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     const Spectrum background = scene.header->background, ambient = scene.header->ambient, black = make3(0.0f, 0.0f, 0.0f);
     {
         FOR_EACH_ITEM(i, count) {
-            const SurfacePoint surface = load(surfaces + i);
+            const SurfacePoint surface = load(points + i);
             const global Material *material = materials + surface.material;
             const Spectrum own = plus(load(&material->emission), times(ambient, bsdf_ambient(material)));
             const Spectrum unlit = where((surface.flags & SURFACE_HIT) != 0u, where((surface.flags & SURFACE_PASSES) != 0u, black, own), background);
@@ -110,17 +115,21 @@ kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint ligh
     }
     for (uint row = 0u; row < lights; ++row) {
         const global Light *light = SCENE_ARRAY(scene, Light, lights) + first_light + row;
+        const global uchar *row_visible = visible + row * stride;
         FOR_EACH_ITEM(i, count) {
-            const SurfacePoint surface = load(surfaces + i);
-            const LightSample sample = light_sample(light, lit_origin(surface));
-            const vec3 normal = scaled(surface.normal, lit_side(surface));
-            const Spectrum value = bsdf_local(materials + surface.material, normal, surface.wo, sample.direction);
+            const SurfacePoint surface = load(points + i);
+            const SurfaceFrame frame = load(frames + i);
+            const float side = lit_side(surface);
+            const LightSample sample = light_sample(light, origin_on_side(surface, side));
+            const vec3 normal = scaled(frame.normal, side);
+            const Spectrum value = bsdf_local(materials + surface.material, normal, frame.wo, sample.direction);
             const Spectrum before = load(contributions + i);
             const Spectrum sum = plus(before, times(value, sample.irradiance));
-            contributions[i] = where(visible[row * stride + i] != 0, sum, before);
+            contributions[i] = where(row_visible[i] != 0, sum, before);
         }
     }
     {
-        FOR_EACH_ITEM(i, count) { contributions[i] = times(load(contributions + i), load(&paths[live[first + i]].throughput)); }
+        const global uint *list = live + first;
+        FOR_EACH_ITEM(i, count) { contributions[i] = times(load(contributions + i), load(&paths[list[i]].throughput)); }
     }
 }

@@ -3,14 +3,16 @@
 #include "kernels/core/load.cl"
 #include "kernels/primitives/primitive.cl"
 
-/// surfaces[i] is where ray live[first + i] met the scene; after a miss it has no SURFACE_HIT and only `wo` means anything.
+/// points[i] and frames[i] say where ray live[first + i] met the scene, and how; after a miss there is no SURFACE_HIT and only `wo` means anything.
 kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, const global Hit *restrict hits,
-                              const global uint *restrict interiors, global SurfacePoint *restrict surfaces) {
+                              const global uint *restrict interiors, global SurfacePoint *restrict points,
+                              global SurfaceFrame *restrict frames) {
     const Scene scene = SCENE;
     const global ShadingRecord *records = SCENE_ARRAY(scene, ShadingRecord, shading);
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
+    const global uint *list = live + first;
     FOR_EACH_ITEM(i, count) {
-        const uint k = live[first + i];
+        const uint k = list[i];
         const Ray ray = load(rays + k);
         const Hit hit = load(hits + i);
         const bool on_surface = hit.primitive != NO_HIT;
@@ -25,18 +27,21 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
         const Interior others = where(enters, inside, interior_left(inside, record->material));
         const Medium around = interior_medium(others, materials);
         const bool hidden = transmits & around.any & ((around.priority > material->priority) | interior_contains(others, record->material));
-        const float eta_around = around.eta, eta_inside = material->eta;
 
+        const uint sides = enters ? SURFACE_ENTERS : transmits ? SURFACE_LIT_BEYOND : 0u;
+        const uint lit = (material->flags & MATERIAL_LIT) != 0u ? SURFACE_LIT : 0u;
         SurfacePoint point;
         point.p = surface.p;
         point.material = on_surface ? record->material : 0u;
         point.offset = scaled(surface.geometric, side * dot3(absolute(surface.geometric), surface.error));
-        const uint sides = enters ? SURFACE_ENTERS : transmits ? SURFACE_LIT_BEYOND : 0u;
-        point.flags = on_surface ? SURFACE_HIT | sides | (hidden ? SURFACE_PASSES : 0u) : 0u;
-        point.normal = scaled(surface.normal, side);
-        point.eta = (enters | !transmits) ? eta_around / eta_inside : eta_inside / eta_around;
-        point.wo = negate(unit(ray.direction));
-        point.spare = 0u;
-        surfaces[i] = point;
+        point.flags = on_surface ? SURFACE_HIT | sides | lit | (hidden ? SURFACE_PASSES : 0u) : 0u;
+        points[i] = point;
+
+        SurfaceFrame frame;
+        frame.normal = scaled(surface.normal, side);
+        frame.eta = (enters | !transmits) ? around.eta / material->eta : material->eta / around.eta;
+        frame.wo = negate(unit(ray.direction));
+        frame.spare = 0u;
+        frames[i] = frame;
     }
 }

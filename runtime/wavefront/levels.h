@@ -21,7 +21,7 @@ struct Level {
     std::size_t bytes() const { return rays.bytes() + paths.bytes() + interiors.bytes() + live.bytes(); }
 };
 
-/// A part of a level to work on, and where its children go: to slots base + i * branching of the next level, for item i.
+/// A part of a level to work on, and where its children go: to slots base + j * count + i of the next level, for child j of item i.
 /// As kernel argument it is LIVE_PARAMS: list, first, count.
 struct Wave {
     Level &level;

@@ -6,7 +6,7 @@
 namespace brandung {
 namespace {
 
-constexpr uint MAX_PRIORITY = 1u << 24;
+constexpr uint max_priority = 1u << 24;
 
 bool any_positive(Spectrum s) { return s.x > 0 || s.y > 0 || s.z > 0; }
 
@@ -22,7 +22,8 @@ Spectrum read_fraction(const Parameters &parameters, const std::string &name) {
 Material make_material(const Whitted &whitted) {
     Material material{};
     material.kind = kind_number(bsdf_kinds(), "whitted");
-    material.flags = (any_positive(whitted.reflection) ? MATERIAL_REFLECTS : 0) | (any_positive(whitted.transmission) ? MATERIAL_TRANSMITS : 0);
+    material.flags = (any_positive(whitted.reflection) ? MATERIAL_REFLECTS : 0) | (any_positive(whitted.transmission) ? MATERIAL_TRANSMITS : 0) |
+                     (any_positive(whitted.diffuse) || any_positive(whitted.specular) ? MATERIAL_LIT : 0);
     material.eta = 1;
     write_words(whitted, material.words);
     return material;
@@ -39,7 +40,7 @@ Material read_whitted(const Parameters &parameters) {
     whitted.fresnel = parameters.boolean("fresnel", false);
     Material material = make_material(whitted);
     material.eta = parameters.positive("eta", 1.5f);
-    material.priority = parameters.integer("priority", 0, 0, MAX_PRIORITY);
+    material.priority = parameters.integer("priority", 0, 0, max_priority);
     material.emission = parameters.spectrum("emission", Spectrum(0));
     return material;
 }

@@ -122,7 +122,7 @@ float Tokens::not_negative(const char *what) {
 
 float Tokens::length(const char *what) {
     const float value = number(what);
-    if (std::abs(value) > MAX_MAGNITUDE) fail(fmt::format("{}: must be at most {:g} in magnitude, got {:g}", what, MAX_MAGNITUDE, value));
+    if (std::abs(value) > max_magnitude) fail(fmt::format("{}: must be at most {:g} in magnitude, got {:g}", what, max_magnitude, value));
     return value;
 }
 

@@ -31,7 +31,7 @@ public:
     // Numbers. If none follows, or one that does not fit, the error says that `what` was expected, and what was found.
     float number(const char *what);        ///< finite
     float not_negative(const char *what);  ///< finite
-    float length(const char *what);        ///< at most MAX_MAGNITUDE in magnitude, of either sign
+    float length(const char *what);        ///< at most max_magnitude in magnitude, of either sign
     vec3 vector(const char *what);         ///< of three lengths
     Spectrum color(const char *what);      ///< of three that are not negative
     int64 integer(const char *what);
