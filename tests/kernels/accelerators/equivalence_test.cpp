@@ -1,0 +1,300 @@
+/// Every accelerator finds what `none` finds, bit for bit: no hit is lost, ties go to the lower number, single rays and packets agree.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+#include <string>
+
+#include "scene/accelerators/accelerator.h"
+#include "tests/support/scenes.h"
+#include "tests/support/traced_scene.h"
+
+namespace brandung {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// One of each kind, small and to the side: so all scenes but that of spheres have one set of programs.
+void add_one_of_each_kind(Scene &scene) { add_soup(scene, 0, {.spheres = 1, .triangles = 1, .smooth_triangles = 1, .frusta = 1, .size = 0.01f}); }
+
+Scene empty_scene() {
+    Scene scene;
+    add_material(scene, matte(0.5f));
+    return scene;
+}
+
+Scene soup_scene(const Soup &soup) {
+    Scene scene = empty_scene();
+    add_one_of_each_kind(scene);
+    add_soup(scene, 0, soup);
+    return scene;
+}
+
+Scene spheres_only() {
+    Scene scene = empty_scene();
+    add_soup(scene, 0, {.spheres = 300, .size = 0.3f});
+    return scene;
+}
+Scene one_sphere() {
+    Scene scene = empty_scene();
+    add_sphere(scene, 0, {0.1f, 0.2f, 0.3f}, 0.7f);
+    return scene;
+}
+Scene spheres() { return soup_scene({.spheres = 300, .size = 0.3f}); }
+Scene triangles() { return soup_scene({.triangles = 500, .size = 0.4f}); }
+Scene smooth_triangles() { return soup_scene({.smooth_triangles = 500, .size = 0.4f}); }
+Scene frusta() { return soup_scene({.frusta = 300, .size = 0.5f}); }
+Scene mixture() { return soup_scene({.spheres = 120, .triangles = 250, .smooth_triangles = 130, .frusta = 100, .size = 0.4f}); }
+
+/// Three times the same, in an order that separates equals; triangles also as smooth ones.
+Scene duplicates() {
+    Scene scene = empty_scene();
+    add_one_of_each_kind(scene);
+    for (uint copy = 0; copy < 3; ++copy) {
+        Random random(5);
+        for (uint i = 0; i < 60; ++i) {
+            const vec3 a = random.in_cube(1), b = a + random.in_cube(0.5f), c = a + random.in_cube(0.5f);
+            add_triangle(scene, 0, a, b, c);
+            add_smooth_triangle(scene, 0, a, b, c, a - b);
+            add_sphere(scene, 0, a, 0.2f);
+            add_frustum(scene, 0, b, 0.1f, c, 0.2f);
+        }
+    }
+    return scene;
+}
+
+/// Everything touches planes of the grid with spacing 1/4, where boxes then have their sides.
+Scene grid() {
+    Scene scene = empty_scene();
+    add_one_of_each_kind(scene);
+    for (int x = -4; x < 4; ++x)
+        for (int y = -4; y < 4; ++y)
+            for (int z = -4; z < 4; z += 2) {
+                const vec3 p = 0.25f * vec3(x, y, z);
+                if ((x + y) % 3 == 0) add_sphere(scene, 0, p + 0.125f, 0.125f);
+                if ((x + y) % 3 == 1) add_triangle(scene, 0, p, p + vec3(0.25f, 0, 0), p + vec3(0, 0.25f, 0));
+                if ((x + y) % 3 == 2) add_frustum(scene, 0, p + vec3(0.125f, 0.125f, 0), 0.125f, p + vec3(0.125f, 0.125f, 0.25f), 0.125f);
+            }
+    return scene;
+}
+
+/// Far from the origin, where a unit in the last place is 2^-11 of a primitive.
+Scene far_away() {
+    Scene scene = empty_scene();
+    Random random(6);
+    const vec3 centre(8192, -8192, 8192);
+    for (uint i = 0; i < 100; ++i) {
+        const vec3 p = centre + random.in_cube(1), q = p + random.in_cube(0.5f), r = p + random.in_cube(0.5f);
+        add_sphere(scene, 0, p, 0.2f);
+        add_triangle(scene, 0, p, q, r);
+        add_smooth_triangle(scene, 0, q, r, p, centre);
+        add_frustum(scene, 0, q, 0.1f, r, 0.05f);
+    }
+    return scene;
+}
+
+constexpr vec3 eye(0, 0, 3);  // from the centre
+
+/// Nearly edge on as seen from the eye: there t is worst conditioned.
+Scene edge_on() {
+    Scene scene = empty_scene();
+    add_one_of_each_kind(scene);
+    Random random(9);
+    for (uint i = 0; i < 300; ++i) {
+        const vec3 a = random.in_cube(1), away = glm::normalize(a - eye);
+        const float thin = std::exp2(random.uniform(-20, -6));
+        const vec3 b = a + 0.5f * away + random.in_cube(thin), c = a + 0.3f * away + random.in_cube(thin);
+        if (i % 3 == 0) add_triangle(scene, 0, a, b, c);
+        if (i % 3 == 1) add_smooth_triangle(scene, 0, a, b, c, vec3(0));
+        if (i % 3 == 2) add_frustum(scene, 0, a, thin, b, 2 * thin);
+    }
+    return scene;
+}
+
+struct SceneKind {
+    const char *name;
+    Scene (*make)();
+    vec3 centre;
+};
+void PrintTo(const SceneKind &kind, std::ostream *out) { *out << kind.name; }
+const SceneKind scene_kinds[] = {
+    {"spheres_only", spheres_only, {}},
+    {"one_sphere", one_sphere, {}},
+    {"spheres", spheres, {}},
+    {"triangles", triangles, {}},
+    {"smooth_triangles", smooth_triangles, {}},
+    {"frusta", frusta, {}},
+    {"mixture", mixture, {}},
+    {"duplicates", duplicates, {}},
+    {"grid", grid, {}},
+    {"edge_on", edge_on, {}},
+    {"far_away", far_away, {8192, -8192, 8192}},
+};
+
+std::vector<Bounds> boxes_of(const Scene &scene) {
+    std::vector<Bounds> boxes;
+    for (const auto &shape : scene.shapes)
+        for (std::size_t i = 0; i < shape->count(); ++i) boxes.push_back(shape->bounds(i));
+    return boxes;
+}
+
+vec3 axis(uint i, float sign) {
+    vec3 d(std::copysign(0.0f, sign));
+    d[int(i)] = sign;
+    return d;
+}
+
+/// Rays of every sort that has made an accelerator lose hits somewhere.
+std::vector<Ray> make_rays(const Scene &scene, vec3 centre) {
+    Random random(7);
+    std::vector<Ray> rays;
+    const auto t_max = [&] { return random.below(4) == 0 ? random.uniform(0, 2) : infinity; };
+    const std::vector<Bounds> boxes = boxes_of(scene);
+    const auto box = [&]() -> const Bounds & { return boxes[random.below(uint(boxes.size()))]; };
+    for (uint i = 0; i < 32768; ++i) rays.push_back(make_ray(centre + random.in_cube(2), random.direction(), t_max()));
+    // From one point, in neighbouring directions, as camera rays are.
+    for (uint i = 0; i < 4096; ++i) {
+        const vec3 direction(0.02f * float(i % 64) - 0.63f, 0.02f * float(i / 64) - 0.63f, -1);
+        rays.push_back(make_ray(centre + eye, vec3(glm::normalize(glm::dvec3(direction)))));
+    }
+    // From the eye into the boxes.
+    for (uint i = 0; i < 16384; ++i) {
+        const Bounds &b = box();
+        const glm::dvec3 p(random.uniform(b.low.x, b.high.x), random.uniform(b.low.y, b.high.y), random.uniform(b.low.z, b.high.z));
+        rays.push_back(make_ray(centre + eye, vec3(glm::normalize(p - glm::dvec3(centre + eye))), t_max()));
+    }
+    // Any length of the direction.
+    for (uint i = 0; i < 1024; ++i)
+        rays.push_back(make_ray(centre + random.in_cube(2), random.direction() * std::exp2(random.uniform(-10, 10)), t_max()));
+    // Along the axes, from anywhere.
+    for (uint i = 0; i < 2048; ++i)
+        rays.push_back(make_ray(centre + random.in_cube(2), axis(random.below(3), random.below(2) ? 1.0f : -1.0f), t_max()));
+    // In a plane of a box: along an axis or askew.
+    for (uint i = 0; i < 4096; ++i) {
+        const Bounds &b = box();
+        const int a = int(random.below(3));
+        vec3 origin = centre + random.in_cube(2), direction = random.below(2) ? axis(uint(a + 1) % 3, 1) : random.direction();
+        origin[a] = random.below(2) ? b.low[a] : b.high[a];
+        direction[a] = random.below(2) ? 0.0f : -0.0f;
+        rays.push_back(make_ray(origin, direction, t_max()));
+    }
+    // Through corners of boxes, and from them, along edges too.
+    for (uint i = 0; i < 4096; ++i) {
+        const Bounds &b = box();
+        const vec3 corner(random.below(2) ? b.low.x : b.high.x, random.below(2) ? b.low.y : b.high.y, random.below(2) ? b.low.z : b.high.z);
+        const vec3 direction = random.below(2) ? random.direction() : axis(random.below(3), -1);
+        rays.push_back(make_ray(random.below(2) ? corner : corner - 2.0f * direction, direction, t_max()));
+    }
+    return rays;
+}
+
+bool same_bits(const Hit &a, const Hit &b) { return std::memcmp(&a, &b, sizeof(Hit)) == 0; }
+
+std::string text(const Hit &hit) { return "{t " + std::to_string(hit.t) + ", primitive " + std::to_string(int(hit.primitive)) + "}"; }
+
+void expect_same(const std::vector<Hit> &hits, const std::vector<Hit> &expected, const std::vector<Ray> &rays, const char *what) {
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (same_bits(hits[i], expected[i])) continue;
+        if (++different <= 3)
+            ADD_FAILURE() << what << ": ray " << i << ": " << text(hits[i]) << " instead of " << text(expected[i]) << std::hexfloat << ", origin "
+                          << rays[i].origin.x << ' ' << rays[i].origin.y << ' ' << rays[i].origin.z << ", direction " << rays[i].direction.x << ' '
+                          << rays[i].direction.y << ' ' << rays[i].direction.z;
+    }
+    EXPECT_EQ(different, 0u) << what << ", of " << rays.size();
+}
+
+/// Rays that begin where others hit, exactly there or beyond the point's error bound.
+std::vector<Ray> continued(TracedScene &traced, const std::vector<Ray> &rays, const std::vector<Hit> &hits) {
+    Random random(8);
+    const std::vector<Surface> surfaces = traced.surfaces(rays, hits);
+    std::vector<Ray> result;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (hits[i].primitive == NO_HIT) continue;
+        const Surface &surface = surfaces[i];
+        const vec3 offset = surface.geometric * glm::dot(glm::abs(surface.geometric), surface.error);
+        const vec3 shift = random.below(2) ? vec3(0) : offset * (random.below(2) ? 2.0f : -2.0f);
+        result.push_back(make_ray(surface.p + shift, random.direction(), infinity, RAY_REFLECTED));
+    }
+    return result;
+}
+
+/// Rays that end at their hit, or at the float before.
+std::vector<Ray> cut_at_hit(const std::vector<Ray> &rays, const std::vector<Hit> &hits) {
+    std::vector<Ray> result = rays;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        if (hits[i].primitive != NO_HIT) result[i].t_max = i % 2 ? hits[i].t : std::nextafter(hits[i].t, 0.0f);
+    return result;
+}
+
+void expect_equivalent(Scene &scene, const std::string &accelerator, const std::vector<Ray> &rays, const std::vector<Hit> &expected,
+                       const char *what) {
+    TracedScene traced(scene, accelerator);
+    expect_same(traced.closest_hits(rays), expected, rays, (std::string(what) + ", single rays").c_str());
+    const std::size_t hits = std::size_t(std::count_if(expected.begin(), expected.end(), [](const Hit &hit) { return hit.primitive != NO_HIT; }));
+    EXPECT_EQ(std::accumulate(traced.tally().hits, traced.tally().hits + RAY_KINDS, std::size_t{0}), hits);
+    expect_same(traced.closest_hits_of_packets(rays), expected, rays, (std::string(what) + ", packets").c_str());
+    EXPECT_EQ(std::accumulate(traced.tally().rays, traced.tally().rays + RAY_KINDS, std::size_t{0}), rays.size());
+    EXPECT_EQ(std::accumulate(traced.tally().hits, traced.tally().hits + RAY_KINDS, std::size_t{0}), hits);
+
+    const std::vector<std::uint8_t> visible = traced.visible(rays);
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) different += (visible[i] != 0) != (expected[i].primitive == NO_HIT);
+    EXPECT_EQ(different, 0u) << what << ", occlusion, of " << rays.size();
+    EXPECT_EQ(traced.tally().hits[RAY_SHADOW], hits);
+    EXPECT_EQ(traced.tally().rays[RAY_SHADOW], rays.size());
+}
+
+class Equivalence : public testing::TestWithParam<std::tuple<std::string, SceneKind>> {};
+
+std::vector<std::string> accelerator_names() {
+    std::vector<std::string> names;
+    for (const AcceleratorKind &kind : accelerator_kinds()) names.push_back(kind.name);
+    return names;
+}
+
+std::string name_of(const testing::TestParamInfo<Equivalence::ParamType> &info) {
+    return std::get<0>(info.param) + "_" + std::get<1>(info.param).name;
+}
+
+TEST_P(Equivalence, FindsWhatNoneFinds) {
+    const auto &[accelerator, kind] = GetParam();
+    Scene scene = kind.make();
+    const std::vector<Ray> rays = make_rays(scene, kind.centre);
+    TracedScene none(scene, "none");
+    const std::vector<Hit> expected = none.closest_hits(rays);
+    EXPECT_GT(std::count_if(expected.begin(), expected.end(), [](const Hit &hit) { return hit.primitive != NO_HIT; }), 500);
+    expect_equivalent(scene, accelerator, rays, expected, "rays");
+
+    const std::vector<Ray> from_surfaces = continued(none, rays, expected);
+    expect_equivalent(scene, accelerator, from_surfaces, none.closest_hits(from_surfaces), "rays from surfaces");
+
+    const std::vector<Ray> cut = cut_at_hit(rays, expected);
+    const std::vector<Hit> hits = none.closest_hits(cut);
+    for (std::size_t i = 1; i < cut.size(); i += 2) ASSERT_TRUE(same_bits(hits[i], expected[i])) << "a ray meets what lies at its t_max";
+    expect_equivalent(scene, accelerator, cut, hits, "rays cut at their hit");
+}
+
+INSTANTIATE_TEST_SUITE_P(Accelerators, Equivalence, testing::Combine(testing::ValuesIn(accelerator_names()), testing::ValuesIn(scene_kinds)),
+                         name_of);
+
+TEST(EquivalenceOfNone, TiesGoToTheLowerNumberAcrossKinds) {
+    Scene scene = duplicates();
+    TracedScene none(scene, "none");
+    const std::vector<Ray> rays = make_rays(scene, vec3(0));
+    const uint distinct = 4 + 4 * 60;
+    uint hits_count = 0;
+    for (const Hit &hit : none.closest_hits(rays)) {
+        if (hit.primitive == NO_HIT) continue;
+        ++hits_count;
+        ASSERT_LT(hit.primitive, distinct) << "a copy was hit, not the first of its kind";
+        // Among the first 60 groups of four, the second is the first one's triangle again, as a smooth one.
+        ASSERT_FALSE(hit.primitive >= 4 && hit.primitive % 4 == 1) << "the smooth copy of a flat triangle was hit";
+    }
+    EXPECT_GT(hits_count, 500u);
+}
+
+}  // namespace
+}  // namespace brandung

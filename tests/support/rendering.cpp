@@ -1,0 +1,23 @@
+#include "tests/support/rendering.h"
+
+#include "tests/support/probe.h"
+
+namespace brandung {
+
+Rendering render_scene(const Scene &scene, const RenderOptions &options) {
+    Device &device = test_device();
+    const CompiledScene compiled = compile(scene);
+    const DeviceScene on_device(device, compiled);
+    Film film(device, scene.film.width, scene.film.height);
+    Renderer renderer(device, scene, compiled, on_device, scene.cameras.at(0), options);
+    renderer.render(film);
+    return {film.read(), film.develop(), renderer.integrator().counts(), renderer.integrator().refused(), film.clamped()};
+}
+
+std::uint64_t film_hash(const std::vector<FilmPixel> &film) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const std::byte byte : std::as_bytes(std::span(film))) hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3u;
+    return hash;
+}
+
+}  // namespace brandung

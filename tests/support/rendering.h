@@ -1,0 +1,23 @@
+/// Whole renders.
+#pragma once
+#include <vector>
+
+#include "runtime/renderer.h"
+
+namespace brandung {
+
+struct Rendering {
+    std::vector<FilmPixel> film;
+    std::vector<vec3> picture;
+    RayCounts counts;
+    std::uint64_t refused;
+    uint clamped;
+};
+
+/// Renders with the scene's first camera on the test device.
+Rendering render_scene(const Scene &scene, const RenderOptions &options = {});
+
+/// Of the exact sums: equal pictures and only they have equal hashes (FNV-1a, 64 bits).
+std::uint64_t film_hash(const std::vector<FilmPixel> &film);
+
+}  // namespace brandung

@@ -1,0 +1,66 @@
+#include "tests/support/scenes.h"
+
+#include <algorithm>
+
+#include "scene/bsdfs/bsdf.h"
+#include "scene/lights/light.h"
+
+namespace brandung {
+
+vec3 Random::direction() {
+    for (;;) {
+        const glm::dvec3 p(in_cube(1));
+        const double length = glm::length(p);
+        if (length > 0.1 && length <= 1) return vec3(p / length);
+    }
+}
+
+Material matte(float diffuse) { return make_material(Whitted{.ambient = Spectrum(diffuse), .diffuse = Spectrum(diffuse), .exponent = 1}); }
+
+Material mirror(float reflection) { return make_material(Whitted{.reflection = Spectrum(reflection), .exponent = 1}); }
+
+Material glass(float eta) {
+    Material material = make_material(Whitted{.reflection = Spectrum(1), .transmission = Spectrum(1), .exponent = 1, .fresnel = 1});
+    material.eta = eta;
+    return material;
+}
+
+Light point_light(vec3 position, Spectrum intensity) { return make_light(PointLight{position, intensity, vec3(0, 0, 1)}); }
+
+Light directional_light(vec3 towards, Spectrum irradiance) {
+    return make_light(DirectionalLight{vec3(glm::normalize(glm::dvec3(towards))), irradiance});
+}
+
+uint add_material(Scene &scene, const Material &material) {
+    scene.materials.push_back({std::to_string(scene.materials.size()), material});
+    return uint(scene.materials.size() - 1);
+}
+
+void add_triangle(Scene &scene, uint material, vec3 a, vec3 b, vec3 c) {
+    add_triangle_mesh(scene, material, MeshData{.positions = {a, b, c}, .indices = {0, 1, 2}});
+}
+
+void add_smooth_triangle(Scene &scene, uint material, vec3 a, vec3 b, vec3 c, vec3 center) {
+    const auto normal = [&](vec3 p) { return vec3(glm::normalize(glm::dvec3(p) - glm::dvec3(center))); };
+    add_triangle_mesh(scene, material, MeshData{.positions = {a, b, c}, .normals = {normal(a), normal(b), normal(c)}, .indices = {0, 1, 2}});
+}
+
+void add_soup(Scene &scene, uint material, const Soup &soup) {
+    Random random(soup.seed);
+    std::vector<uint> order(soup.spheres, 0);
+    order.insert(order.end(), soup.triangles, 1);
+    order.insert(order.end(), soup.smooth_triangles, 2);
+    order.insert(order.end(), soup.frusta, 3);
+    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(uint(i))]);
+    for (const uint kind : order) {
+        const vec3 p = random.in_cube(1);
+        const float size = soup.size * random.uniform(0.1f, 1);
+        const vec3 a = p + random.in_cube(size), b = p + random.in_cube(size), c = p + random.in_cube(size);
+        if (kind == 0) add_sphere(scene, material, p, size);
+        if (kind == 1) add_triangle(scene, material, a, b, c);
+        if (kind == 2) add_smooth_triangle(scene, material, a, b, c, p);
+        if (kind == 3) add_frustum(scene, material, a, random.uniform(0, 0.5f) * size, b, random.uniform(0, 0.5f) * size);
+    }
+}
+
+}  // namespace brandung

@@ -1,0 +1,44 @@
+/// Small scenes, made in C++.
+#pragma once
+#include <random>
+
+#include "scene/primitives/add.h"
+#include "scene/scene.h"
+
+namespace brandung {
+
+/// Random numbers with a fixed seed.
+class Random {
+public:
+    explicit Random(uint seed) : engine_(seed) {}
+    float uniform(float low, float high) { return std::uniform_real_distribution(low, high)(engine_); }
+    uint below(uint end) { return std::uniform_int_distribution(0u, end - 1)(engine_); }
+    vec3 in_cube(float half) { return {uniform(-half, half), uniform(-half, half), uniform(-half, half)}; }
+    /// Unit length to rounding, uniform on the sphere.
+    vec3 direction();
+
+private:
+    std::mt19937 engine_;
+};
+
+Material matte(float diffuse);
+Material mirror(float reflection);
+Material glass(float eta);
+Light point_light(vec3 position, Spectrum intensity);
+Light directional_light(vec3 towards, Spectrum irradiance);
+
+/// Adds a material and gives its index.
+uint add_material(Scene &scene, const Material &material);
+void add_triangle(Scene &scene, uint material, vec3 a, vec3 b, vec3 c);
+/// Its shading normals are those of a sphere about `center`.
+void add_smooth_triangle(Scene &scene, uint material, vec3 a, vec3 b, vec3 c, vec3 center);
+
+/// Primitives in the cube [-1, 1]³, in random order.
+struct Soup {
+    uint spheres = 0, triangles = 0, smooth_triangles = 0, frusta = 0;
+    float size = 0.1f;  ///< of one primitive, at most
+    uint seed = 1;
+};
+void add_soup(Scene &scene, uint material, const Soup &soup);
+
+}  // namespace brandung

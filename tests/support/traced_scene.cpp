@@ -1,0 +1,85 @@
+#include "tests/support/traced_scene.h"
+
+#include <numeric>
+
+#include "tests/support/probe.h"
+
+namespace brandung {
+namespace {
+
+CompiledScene compile_with(Scene &scene, const std::string &accelerator) {
+    scene.accelerator = accelerator;
+    return compile(scene);
+}
+
+/// A live list with `unused` entries in front of those that count, so that `first` matters.
+constexpr uint unused = 3;
+
+std::vector<uint> live_list(std::size_t count) {
+    std::vector<uint> live(unused + count, 0);
+    std::iota(live.begin() + unused, live.end(), 0u);
+    return live;
+}
+
+Tally sum_of(const Buffer<Tally> &tallies) {
+    Tally sum{};
+    for (const Tally &tally : tallies.read())
+        for (uint kind = 0; kind < RAY_KINDS; ++kind) sum.rays[kind] += tally.rays[kind], sum.hits[kind] += tally.hits[kind];
+    return sum;
+}
+
+}  // namespace
+
+Ray make_ray(vec3 origin, vec3 direction, float t_max, uint kind) { return {.origin = origin, .t_max = t_max, .direction = direction, .kind = kind}; }
+
+TracedScene::TracedScene(Scene &scene, const std::string &accelerator)
+    : compiled_(compile_with(scene, accelerator)), on_device_(test_device(), compiled_) {}
+
+std::vector<Hit> TracedScene::closest_hits(const std::string &stage, const std::vector<Ray> &rays) {
+    Device &device = test_device();
+    Kernel kernel(device, "kernels/stages/" + stage + ".cl", stage, on_device_.lists());
+    const Buffer<Ray> ray_buffer(device, rays);
+    const Buffer<uint> live(device, live_list(rays.size()));
+    const Buffer<Hit> hits(device, rays.size());
+    const Buffer<Tally> tallies(device, kernel.work_items(rays.size()));
+    kernel(rays.size(), on_device_, live, unused, static_cast<uint>(rays.size()), ray_buffer, hits, tallies);
+    tally_ = sum_of(tallies);
+    return hits.read();
+}
+
+std::vector<std::uint8_t> TracedScene::visible(const std::vector<Ray> &rays) {
+    Device &device = test_device();
+    Kernel kernel(device, "kernels/stages/trace_shadow_rays.cl", "trace_shadow_rays", on_device_.lists());
+    const Buffer<Ray> ray_buffer(device, rays);
+    std::vector<uint> all(rays.size());
+    std::iota(all.begin(), all.end(), 0u);
+    const Buffer<uint> live(device, all);
+    const uint count = static_cast<uint>(rays.size());
+    const Buffer<uint> counts(device, std::span(&count, 1));
+    const Buffer<std::uint8_t> visible(device, std::vector<std::uint8_t>(rays.size(), 1));
+    const Buffer<Tally> tallies(device, kernel.work_items(rays.size()));
+    kernel(rays.size(), on_device_, live, counts, count, ray_buffer, visible, tallies);
+    tally_ = sum_of(tallies);
+    return visible.read();
+}
+
+std::vector<Surface> TracedScene::surfaces(const std::vector<Ray> &rays, const std::vector<Hit> &hits) {
+    Device &device = test_device();
+    Sources sources = on_device_.lists();
+    sources["surfaces.cl"] = R"(#include "kernels/primitives/primitive.cl"
+        kernel void surfaces(SCENE_PARAMS, uint count, const global Ray *rays, const global Hit *hits, global Surface *surfaces) {
+            const Scene scene = SCENE;
+            const uint i = get_global_id(0);
+            if (i < count && hits[i].primitive != NO_HIT)
+                surfaces[i] = primitive_surface(scene, SCENE_ARRAY(scene, ShadingRecord, shading) + hits[i].primitive, rays[i], hits[i]);
+        })";
+    Kernel kernel(device, "surfaces.cl", "surfaces", sources, 1);
+    const Buffer<Ray> ray_buffer(device, rays);
+    const Buffer<Hit> hit_buffer(device, hits);
+    Buffer<Surface> surfaces(device, rays.size());
+    surfaces.fill_zero();
+    kernel(rays.size(), on_device_, static_cast<uint>(rays.size()), ray_buffer, hit_buffer, surfaces);
+    return surfaces.read();
+}
+
+}  // namespace brandung

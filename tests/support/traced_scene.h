@@ -1,0 +1,43 @@
+/// TracedScene: a scene on the device, and what rays meet in it.
+#pragma once
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "kernels/core/items.h"
+#include "kernels/primitives/surface.h"
+#include "runtime/opencl/kernel.h"
+#include "runtime/wavefront/device_scene.h"
+
+namespace brandung {
+
+Ray make_ray(vec3 origin, vec3 direction, float t_max = std::numeric_limits<float>::infinity(), uint kind = RAY_CAMERA);
+
+class TracedScene {
+public:
+    /// Sets the scene's accelerator.
+    TracedScene(Scene &scene, const std::string &accelerator);
+
+    /// By stages/intersect.cl, one ray after another.
+    std::vector<Hit> closest_hits(const std::vector<Ray> &rays) { return closest_hits("intersect", rays); }
+    /// By stages/intersect_packets.cl.
+    std::vector<Hit> closest_hits_of_packets(const std::vector<Ray> &rays) { return closest_hits("intersect_packets", rays); }
+    /// By stages/trace_shadow_rays.cl: 1 where nothing is met before t_max.
+    std::vector<std::uint8_t> visible(const std::vector<Ray> &rays);
+    /// By primitives/primitive.cl; all zero where nothing was hit.
+    std::vector<Surface> surfaces(const std::vector<Ray> &rays, const std::vector<Hit> &hits);
+
+    /// Sums of what the last call's work-items counted.
+    const Tally &tally() const { return tally_; }
+    const CompiledScene &compiled() const { return compiled_; }
+    const DeviceScene &on_device() const { return on_device_; }
+
+private:
+    std::vector<Hit> closest_hits(const std::string &stage, const std::vector<Ray> &rays);
+
+    CompiledScene compiled_;
+    DeviceScene on_device_;
+    Tally tally_{};
+};
+
+}  // namespace brandung
