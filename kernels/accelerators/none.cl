@@ -6,7 +6,7 @@
 
 static Hit LEVEL(closest_hit)(Scene scene, Ray ray) {
     ray_x8 lanes = prepare(ray, scene.header->extent);
-    Hit hit = {ray.t_max, NO_HIT, 0.0f, 0.0f};
+    Hit hit = {ray.t_max, 0.0f, 0.0f, NO_HIT};
 #define TEST(kind, block) LEAF_CLOSEST_HIT(scene, kind, block, &lanes, &hit)
     FOR_EACH_PRIMITIVE(FOR_EACH_BLOCK)
 #undef TEST

@@ -26,7 +26,7 @@ FUNCTION uint LEVEL(children)(const global BvhNode *node, const ray_x8 *ray, flo
 static Hit LEVEL(closest_hit)(Scene scene, Ray ray) {
     const global BvhNode *nodes = SCENE_ARRAY(scene, BvhNode, nodes);
     ray_x8 lanes = prepare(ray, scene.header->extent);
-    Hit hit = {ray.t_max, NO_HIT, 0.0f, 0.0f};
+    Hit hit = {ray.t_max, 0.0f, 0.0f, NO_HIT};
     ulong stack[BVH_STACK];
     uint size = 0u, current = 0u;
     for (;;) {

@@ -21,8 +21,8 @@ typedef struct {
 /// The closest hit of a ray; 16 bytes. `primitive` numbers all primitives in scene order, or is NO_HIT; u, v are the kind's own parameters.
 typedef struct {
     float t;
-    uint primitive;
     float u, v;
+    uint primitive;
 } Hit;
 
 /// State of a Whitted or path-traced ray; 32 bytes.
@@ -41,21 +41,22 @@ typedef struct {
 #define SURFACE_LIT 8u         ///< light from lights can be seen on it
 #define SURFACE_LIT_BEYOND 16u  ///< and falls on the side away from `wo`: a transparent object's outside, seen from inside
 
-/// Where a ray met the scene; 32 bytes.
+// A surface point is three records, so that each stage reads whole ones: the compiler reads consecutive whole records by shuffles, but takes
+// gathers, or finishes each chunk one by one, where a record's end is not used.
+
+/// Where a ray met the scene, as lights see it; 32 bytes.
 typedef struct {
-    vec3 p;
+    vec3 origin;    ///< of rays to the lights: the point moved off the surface by its error bound, to the side where light falls
     uint material;
-    vec3 offset;  ///< geometric unit normal on the side of `wo`, times a bound on the distance from p to the true surface
-    uint flags;   ///< SURFACE_...
+    vec3 normal;    ///< shading normal on that side, unit length
+    uint flags;     ///< SURFACE_...
 } SurfacePoint;
 
-/// How the surface lies there; 32 bytes.
+/// What else secondary rays need; 16 bytes.
 typedef struct {
-    vec3 normal;  ///< shading normal, unit length, on the side of `wo`
+    vec3 beyond;  ///< the point moved off to the other side
     float eta;    ///< index of refraction on the side of `wo` over that beyond
-    vec3 wo;      ///< unit length, back along the ray
-    uint spare;
-} SurfaceFrame;
+} SurfaceInterface;
 
 /// Rays and hits that one work-item of a tracing stage has seen, by kind of ray.
 typedef struct {

@@ -29,16 +29,15 @@ FUNCTION Path load(const global Path *p) {
 
 FUNCTION SurfacePoint load(const global SurfacePoint *p) {
     SurfacePoint point;
-    point.p = load(&p->p), point.offset = load(&p->offset);
+    point.origin = load(&p->origin), point.normal = load(&p->normal);
     point.material = p->material, point.flags = p->flags;
     return point;
 }
 
-FUNCTION SurfaceFrame load(const global SurfaceFrame *p) {
-    SurfaceFrame frame;
-    frame.normal = load(&p->normal), frame.wo = load(&p->wo);
-    frame.eta = p->eta, frame.spare = p->spare;
-    return frame;
+FUNCTION SurfaceInterface load(const global SurfaceInterface *p) {
+    SurfaceInterface interface;
+    interface.beyond = load(&p->beyond), interface.eta = p->eta;
+    return interface;
 }
 
 /// Three words at w as floats.

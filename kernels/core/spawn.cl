@@ -9,36 +9,25 @@ FUNCTION float away(float value, float direction) {
     return direction > 0.0f ? up : direction < 0.0f ? down : value;
 }
 
-/// The point moved by its error bound, side 1: to the side of `wo`, -1: beyond; rounded away from the surface (Pharr et al., PBR 4ed, 6.8.6).
-FUNCTION vec3 origin_on_side(SurfacePoint surface, float side) {
-    const vec3 offset = scaled(surface.offset, side);
-    return make3(away(surface.p.x + offset.x, offset.x), away(surface.p.y + offset.y, offset.y), away(surface.p.z + offset.z, offset.z));
+/// The point moved by `offset`, a normal as long as the point's error bound, and rounded away from the surface (Pharr et al., PBR 4ed, 6.8.6).
+FUNCTION vec3 spawn_origin(vec3 p, vec3 offset) {
+    return make3(away(p.x + offset.x, offset.x), away(p.y + offset.y, offset.y), away(p.z + offset.z, offset.z));
 }
 
-/// The origin of a ray that leaves in `direction`.
-FUNCTION vec3 spawn_origin(SurfacePoint surface, vec3 direction) {
-    return origin_on_side(surface, dot3(surface.offset, direction) < 0.0f ? -1.0f : 1.0f);
-}
-
-/// 1 if light falls on the side of `wo`, -1 if beyond.
-FUNCTION float lit_side(SurfacePoint surface) { return (surface.flags & SURFACE_LIT_BEYOND) != 0u ? -1.0f : 1.0f; }
-
-FUNCTION Ray ray_spawn(SurfacePoint surface, vec3 direction, uint kind) {
+/// A ray from an origin that spawn_origin has made.
+FUNCTION Ray ray_spawn(vec3 origin, vec3 direction, uint kind) {
     Ray ray;
-    ray.origin = spawn_origin(surface, direction);
+    ray.origin = origin;
     ray.direction = direction;
     ray.t_max = INFINITY;
     ray.kind = kind;
     return ray;
 }
 
-/// From a surface towards a light that lies `distance` away in `direction`; ends before it by more than the rounding of both ends.
+/// From such an origin to a light that lies `distance` away; ends before it by more than the rounding of both ends.
 FUNCTION Ray ray_to_light(vec3 origin, vec3 direction, float distance) {
-    Ray ray;
-    ray.origin = origin;
-    ray.direction = direction;
     const float rounding = 0x1p-21f * (distance + largest(absolute(origin)));
+    Ray ray = ray_spawn(origin, direction, RAY_SHADOW);
     ray.t_max = distance < INFINITY ? maximum(distance - rounding, 0.0f) : INFINITY;
-    ray.kind = RAY_SHADOW;
     return ray;
 }

@@ -18,7 +18,8 @@ FUNCTION bool worth_tracing(Spectrum throughput, WhittedParams params, uint flag
 /// Children of live item i: the mirrored ray in slot base + i, and where BRANCHING is 2 the refracted one in slot base + count + i.
 /// An interface that a medium of higher priority hides is passed straight on by the refracted ray, at no depth.
 kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const global Path *restrict paths,
-                          const global SurfacePoint *restrict points, const global SurfaceFrame *restrict frames, const global uint *restrict interiors, uint base,
+                          const global SurfacePoint *restrict points, const global SurfaceInterface *restrict interfaces,
+                          const global vec3 *restrict directions, const global uint *restrict interiors, uint base,
                           global Ray *restrict children, global Path *restrict child_paths, global uint *restrict child_interiors,
                           global uchar *restrict child_alive) {
     const Scene scene = SCENE;
@@ -31,21 +32,26 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
         const uint k = list[i];
         const Path path = load(paths + k);
         const SurfacePoint surface = load(points + i);
-        const SurfaceFrame frame = load(frames + i);
+        const SurfaceInterface interface = load(interfaces + i);
+        const vec3 wo = load(directions + i);
+        const bool lit_beyond = (surface.flags & SURFACE_LIT_BEYOND) != 0u;
+        const vec3 normal = where(lit_beyond, negate(surface.normal), surface.normal);
+        const vec3 origin = where(lit_beyond, interface.beyond, surface.origin);
+        const vec3 beyond = where(lit_beyond, surface.origin, interface.beyond);
         const global Material *material = materials + surface.material;
         const bool hit = (surface.flags & SURFACE_HIT) != 0u, passes = (surface.flags & SURFACE_PASSES) != 0u;
         const bool goes_on = hit & !passes & (path.depth < params.max_depth);
 
-        const float cosine = minimum(maximum(dot3(frame.wo, frame.normal), 0.0f), 1.0f);
-        const float cosine_squared_beyond = refracted_cosine_squared(cosine, frame.eta);
+        const float cosine = minimum(maximum(dot3(wo, normal), 0.0f), 1.0f);
+        const float cosine_squared_beyond = refracted_cosine_squared(cosine, interface.eta);
         const bool transmits = (material->flags & MATERIAL_TRANSMITS) != 0u;
         const bool total = transmits & (cosine_squared_beyond < 0.0f);
-        const Split split = bsdf_split(material, cosine, cosine_squared_beyond, frame.eta);
+        const Split split = bsdf_split(material, cosine, cosine_squared_beyond, interface.eta);
 
         const Spectrum reflected = times(path.throughput, split.reflected);
-        const vec3 mirrored = unit(minus(scaled(frame.normal, 2.0f * cosine), frame.wo));
+        const vec3 mirrored = unit(minus(scaled(normal, 2.0f * cosine), wo));
         const bool reflects = ((material->flags & MATERIAL_REFLECTS) != 0u) | total;
-        mirrored_rays[i] = ray_spawn(surface, mirrored, RAY_REFLECTED);
+        mirrored_rays[i] = ray_spawn(origin, mirrored, RAY_REFLECTED);
         Path child = path;
         child.throughput = reflected;
         child.depth = path.depth + 1u;
@@ -57,14 +63,14 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
             const Interior inside = interior_load(interiors, k);
             interior_store(child_interiors, base + i, inside);
             const bool enters = (surface.flags & SURFACE_ENTERS) != 0u;
-            const Interior beyond =
+            const Interior inside_beyond =
                 where(enters, interior_entered(inside, surface.material), interior_left(inside, surface.material));
             const Spectrum refracted = where(passes, path.throughput, times(path.throughput, split.refracted));
-            const float bend = frame.eta * cosine - sqrt(maximum(cosine_squared_beyond, 0.0f));
-            const vec3 straight = negate(frame.wo);
-            const vec3 bent = unit(plus(scaled(straight, frame.eta), scaled(frame.normal, bend)));
-            refracted_rays[i] = ray_spawn(surface, where(passes, straight, bent), RAY_REFRACTED);
-            interior_store(child_interiors, base + count + i, beyond);
+            const float bend = interface.eta * cosine - sqrt(maximum(cosine_squared_beyond, 0.0f));
+            const vec3 straight = negate(wo);
+            const vec3 bent = unit(plus(scaled(straight, interface.eta), scaled(normal, bend)));
+            refracted_rays[i] = ray_spawn(beyond, where(passes, straight, bent), RAY_REFRACTED);
+            interior_store(child_interiors, base + count + i, inside_beyond);
             child.throughput = refracted;
             child.depth = passes ? path.depth : path.depth + 1u;
             child.passes = passes ? path.passes + 1u : path.passes;
@@ -78,20 +84,18 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
 
 /// Work-items (chunk, row): the shadow ray from hit i to light first_light + row, at row * stride + i; alive where the light faces the surface.
 kernel void spawn_shadow_rays(SCENE_PARAMS, uint first_light, uint stride, uint count, const global SurfacePoint *restrict points,
-                              const global SurfaceFrame *restrict frames, global Ray *restrict shadow_rays, global uchar *restrict alive) {
+                              global Ray *restrict shadow_rays, global uchar *restrict alive) {
     const Scene scene = SCENE;
     const uint row = get_global_id(1);
-    const global Light *light = SCENE_ARRAY(scene, Light, lights) + first_light + row;
+    const Light light = SCENE_ARRAY(scene, Light, lights)[first_light + row];
     global Ray *row_rays = shadow_rays + row * stride;
     global uchar *row_alive = alive + row * stride;
     FOR_EACH_ITEM(i, count) {
         const SurfacePoint surface = load(points + i);
-        const float side = lit_side(surface);
-        const vec3 origin = origin_on_side(surface, side);
-        const LightSample sample = light_sample(light, origin);
-        const bool faces = side * dot3(load(&frames[i].normal), sample.direction) > 0.0f;
+        const LightSample sample = light_sample(light, surface.origin);
+        const bool faces = dot3(surface.normal, sample.direction) > 0.0f;
         const bool lit = (surface.flags & (SURFACE_LIT | SURFACE_PASSES)) == SURFACE_LIT;
-        row_rays[i] = ray_to_light(origin, sample.direction, sample.distance);
+        row_rays[i] = ray_to_light(surface.origin, sample.direction, sample.distance);
         row_alive[i] = lit && faces && largest(sample.irradiance) > 0.0f;
     }
 }
@@ -99,7 +103,7 @@ kernel void spawn_shadow_rays(SCENE_PARAMS, uint first_light, uint stride, uint 
 /// contributions[i]: what hit i adds to its sample by the `lights` lights of this block whose visible[row * stride + i] is set; the first
 /// block also brings what needs no light: background, emission, ambient light.
 kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint lights, uint stride, const global Path *restrict paths,
-                          const global SurfacePoint *restrict points, const global SurfaceFrame *restrict frames, const global uchar *restrict visible,
+                          const global SurfacePoint *restrict points, const global vec3 *restrict directions, const global uchar *restrict visible,
                           global Spectrum *restrict contributions) {
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
@@ -114,15 +118,12 @@ kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint ligh
         }
     }
     for (uint row = 0u; row < lights; ++row) {
-        const global Light *light = SCENE_ARRAY(scene, Light, lights) + first_light + row;
+        const Light light = SCENE_ARRAY(scene, Light, lights)[first_light + row];
         const global uchar *row_visible = visible + row * stride;
         FOR_EACH_ITEM(i, count) {
             const SurfacePoint surface = load(points + i);
-            const SurfaceFrame frame = load(frames + i);
-            const float side = lit_side(surface);
-            const LightSample sample = light_sample(light, origin_on_side(surface, side));
-            const vec3 normal = scaled(frame.normal, side);
-            const Spectrum value = bsdf_local(materials + surface.material, normal, frame.wo, sample.direction);
+            const LightSample sample = light_sample(light, surface.origin);
+            const Spectrum value = bsdf_local(materials + surface.material, surface.normal, load(directions + i), sample.direction);
             const Spectrum before = load(contributions + i);
             const Spectrum sum = plus(before, times(value, sample.irradiance));
             contributions[i] = where(row_visible[i] != 0, sum, before);

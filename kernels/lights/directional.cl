@@ -1,15 +1,15 @@
 // Directional light.
 #pragma once
-#include "kernels/core/load.cl"
+#include "kernels/core/lanes_1.cl"
 #include "kernels/core/scene.h"
 #include "kernels/lights/directional.h"
 #include "kernels/lights/light.h"
 
-FUNCTION LightSample directional_sample(const global Light *l, vec3 p) {
+FUNCTION LightSample directional_sample(Light l, vec3 p) {
     LightSample sample;
-    sample.direction = load_floats(l->words);
+    sample.direction = make3(as_float(l.words[0]), as_float(l.words[1]), as_float(l.words[2]));
     sample.distance = INFINITY;
-    sample.irradiance = load_floats(l->words + 3);
+    sample.irradiance = make3(as_float(l.words[3]), as_float(l.words[4]), as_float(l.words[5]));
     sample.pdf = 1.0f;
     return sample;
 }

@@ -1,19 +1,19 @@
 // Point light.
 #pragma once
-#include "kernels/core/load.cl"
+#include "kernels/core/lanes_1.cl"
 #include "kernels/core/scene.h"
 #include "kernels/lights/light.h"
 #include "kernels/lights/point.h"
 
-FUNCTION PointLight point_view(const global Light *l) {
+FUNCTION PointLight point_view(Light l) {
     PointLight light;
-    light.position = load_floats(l->words);
-    light.intensity = load_floats(l->words + 3);
-    light.attenuation = load_floats(l->words + 6);
+    light.position = make3(as_float(l.words[0]), as_float(l.words[1]), as_float(l.words[2]));
+    light.intensity = make3(as_float(l.words[3]), as_float(l.words[4]), as_float(l.words[5]));
+    light.attenuation = make3(as_float(l.words[6]), as_float(l.words[7]), as_float(l.words[8]));
     return light;
 }
 
-FUNCTION LightSample point_sample(const global Light *l, vec3 p) {
+FUNCTION LightSample point_sample(Light l, vec3 p) {
     const PointLight light = point_view(l);
     const vec3 way = minus(light.position, p);
     const float distance = sqrt(dot3(way, way));

@@ -1,12 +1,14 @@
 // From hits to surface points.
 #include "generated/interior.cl"
 #include "kernels/core/load.cl"
+#include "kernels/core/spawn.cl"
 #include "kernels/primitives/primitive.cl"
 
-/// points[i] and frames[i] say where ray live[first + i] met the scene, and how; after a miss there is no SURFACE_HIT and only `wo` means anything.
+/// Where ray live[first + i] met the scene; wo[i] is the unit vector back along it. After a miss there is no SURFACE_HIT, and only wo[i] means
+/// anything.
 kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, const global Hit *restrict hits,
                               const global uint *restrict interiors, global SurfacePoint *restrict points,
-                              global SurfaceFrame *restrict frames) {
+                              global SurfaceInterface *restrict interfaces, global vec3 *restrict wo) {
     const Scene scene = SCENE;
     const global ShadingRecord *records = SCENE_ARRAY(scene, ShadingRecord, shading);
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
@@ -28,20 +30,22 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
         const Medium around = interior_medium(others, materials);
         const bool hidden = transmits & around.any & ((around.priority > material->priority) | interior_contains(others, record->material));
 
-        const uint sides = enters ? SURFACE_ENTERS : transmits ? SURFACE_LIT_BEYOND : 0u;
+        const bool lit_beyond = transmits & !enters;
+        const float lit_side = lit_beyond ? -side : side;
+        const vec3 offset = scaled(surface.geometric, lit_side * dot3(absolute(surface.geometric), surface.error));
+        const uint sides = enters ? SURFACE_ENTERS : lit_beyond ? SURFACE_LIT_BEYOND : 0u;
         const uint lit = (material->flags & MATERIAL_LIT) != 0u ? SURFACE_LIT : 0u;
         SurfacePoint point;
-        point.p = surface.p;
+        point.origin = spawn_origin(surface.p, offset);
         point.material = on_surface ? record->material : 0u;
-        point.offset = scaled(surface.geometric, side * dot3(absolute(surface.geometric), surface.error));
+        point.normal = scaled(surface.normal, lit_side);
         point.flags = on_surface ? SURFACE_HIT | sides | lit | (hidden ? SURFACE_PASSES : 0u) : 0u;
         points[i] = point;
 
-        SurfaceFrame frame;
-        frame.normal = scaled(surface.normal, side);
-        frame.eta = (enters | !transmits) ? around.eta / material->eta : material->eta / around.eta;
-        frame.wo = negate(unit(ray.direction));
-        frame.spare = 0u;
-        frames[i] = frame;
+        SurfaceInterface interface;
+        interface.beyond = spawn_origin(surface.p, negate(offset));
+        interface.eta = (enters | !transmits) ? around.eta / material->eta : material->eta / around.eta;
+        interfaces[i] = interface;
+        wo[i] = negate(unit(ray.direction));
     }
 }

@@ -23,7 +23,7 @@ kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
         uint primitive[PACKET];
         vstore16(t, 0, t_lane), vstore16(closest.u, 0, u), vstore16(closest.v, 0, v), vstore16(closest.primitive, 0, primitive);
         for (uint i = begin; i < min(begin + PACKET, end); ++i) {
-            const Hit hit = {t_lane[i - begin], primitive[i - begin], u[i - begin], v[i - begin]};
+            const Hit hit = {t_lane[i - begin], u[i - begin], v[i - begin], primitive[i - begin]};
             const uint kind = rays[live[first + i]].kind;
             hits[i] = hit;
             tally.rays[kind] += 1u;

@@ -63,7 +63,8 @@ public:
           levels_(job.device, job.batch, branching_, branching_ == 0 ? 1 : params_.max_depth + params_.max_passes, job.compiled.interior_size),
           hits_(job.device, job.batch),
           points_(job.device, job.batch),
-          frames_(job.device, job.batch),
+          interfaces_(job.device, job.batch),
+          directions_(job.device, job.batch),
           contributions_(job.device, job.batch),
           refused_(job.device, 1),
           no_shadows_(job.device, 1),
@@ -82,7 +83,7 @@ public:
         generate_(batch.count(), batch.camera, batch.params, batch.pixels, batch.count(), first.rays, first.paths, first.live, samples);
         while (const auto wave = levels_.next()) {
             trace(*wave);
-            evaluate_(wave->count, scene_, *wave, wave->level.rays, hits_, wave->level.interiors, points_, frames_);
+            evaluate_(wave->count, scene_, *wave, wave->level.rays, hits_, wave->level.interiors, points_, interfaces_, directions_);
             if (wave->children) spawn(*wave);
             for (uint light = 0; light == 0 || light < light_count_; light += lights_per_block) shade(*wave, light, samples);
             if (wave->children) levels_.add_children(*wave, secondary_->compact.counts().read().at(0));
@@ -92,7 +93,7 @@ public:
     RayCounts counts() const override { return counter_.read(); }
     std::uint64_t refused() const override { return refused_.read().at(0); }
     std::size_t wave_bytes() const override {
-        return levels_.bytes_at_most() + hits_.bytes() + points_.bytes() + frames_.bytes() + contributions_.bytes() + counter_.bytes() +
+        return levels_.bytes_at_most() + hits_.bytes() + points_.bytes() + interfaces_.bytes() + directions_.bytes() + contributions_.bytes() + counter_.bytes() +
                (secondary_ ? secondary_->bytes() : 0) + (shadows_ ? shadows_->bytes() : 0);
     }
     std::vector<Skipped> skipped() const override {
@@ -113,7 +114,7 @@ private:
 
     void spawn(const Wave &wave) {
         Level &below = *wave.children;
-        secondary_->spawn(wave.count, scene_, params_, wave, wave.level.paths, points_, frames_, wave.level.interiors, wave.base, below.rays, below.paths,
+        secondary_->spawn(wave.count, scene_, params_, wave, wave.level.paths, points_, interfaces_, directions_, wave.level.interiors, wave.base, below.rays, below.paths,
                           below.interiors, secondary_->alive);
         const uint slots = wave.count * branching_;
         secondary_->compact(secondary_->alive, slots, slots, 1, wave.base, below.end, below.live);
@@ -124,13 +125,13 @@ private:
         const uint rows = std::min(light_count_ - light, lights_per_block), stride = shadows_ ? shadows_->stride : 0;
         if (rows > 0) trace_shadows(wave.count, light, rows);
         const Buffer<std::uint8_t> &visible = shadows_ ? shadows_->visible : no_shadows_;
-        shade_(wave.count, scene_, wave, light, rows, stride, wave.level.paths, points_, frames_, visible, contributions_);
+        shade_(wave.count, scene_, wave, light, rows, stride, wave.level.paths, points_, directions_, visible, contributions_);
         accumulate_(wave.count, wave, wave.level.paths, contributions_, samples, refused_);
     }
 
     void trace_shadows(uint count, uint light, uint rows) {
         Shadows &shadows = *shadows_;
-        shadows.spawn(Grid(count, rows), scene_, light, shadows.stride, count, points_, frames_, shadows.rays, shadows.visible);
+        shadows.spawn(Grid(count, rows), scene_, light, shadows.stride, count, points_, shadows.rays, shadows.visible);
         shadows.compact(shadows.visible, shadows.stride, count, rows, 0, 0, shadows.live);
         shadows.trace(Grid(count, rows), scene_, shadows.live, shadows.compact.counts(), shadows.stride, shadows.rays, shadows.visible,
                       counter_.tallies());
@@ -146,7 +147,8 @@ private:
     Levels levels_;
     Buffer<Hit> hits_;
     Buffer<SurfacePoint> points_;
-    Buffer<SurfaceFrame> frames_;
+    Buffer<SurfaceInterface> interfaces_;
+    Buffer<vec3> directions_;  ///< back along the rays
     Buffer<Spectrum> contributions_;
     Buffer<uint> refused_;
     Buffer<std::uint8_t> no_shadows_;  ///< stands for `visible` where there are no lights
