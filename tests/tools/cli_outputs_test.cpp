@@ -1,0 +1,220 @@
+/// What the program writes: pictures with their metadata, statistics.
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/program.h"
+#include "tests/tools/scenes.h"
+
+namespace {
+
+using nlohmann::json;
+
+/// A picture as it lies on disk; 8-bit values become fractions of 255.
+struct Read {
+    OIIO::ImageSpec spec;
+    std::vector<float> values;
+
+    std::string text(const char *name) const { return spec.get_string_attribute(name); }
+};
+
+Read read_picture(const std::string &file) {
+    const auto input = OIIO::ImageInput::open(file);
+    if (!input) throw std::runtime_error(file + ": " + OIIO::geterror());
+    Read picture{input->spec(), {}};
+    picture.values.resize(static_cast<std::size_t>(picture.spec.width) * picture.spec.height * picture.spec.nchannels);
+    if (!input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, picture.values.data())) throw std::runtime_error(file + ": " + input->geterror());
+    return picture;
+}
+
+void render(const std::vector<std::string> &arguments) {
+    std::vector<std::string> all = {"render", "--quiet"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const Finished run = run_program(all);
+    ASSERT_EQ(run.status, 0) << run.err;
+    ASSERT_EQ(run.err, "");
+}
+
+/// IEC 61966-2-1, in 8 bits.
+int srgb_byte(double linear) {
+    const double clamped = std::min(std::max(linear, 0.0), 1.0);
+    const double encoded = clamped <= 0.0031308 ? 12.92 * clamped : 1.055 * std::pow(clamped, 1 / 2.4) - 0.055;
+    return static_cast<int>(std::lround(255 * encoded));
+}
+
+}  // namespace
+
+TEST(Outputs, ExrHasThePicturesSizeFloatsAndLinearColour) {
+    const TemporaryFolder folder;
+    render({folder.write("scene.json", native_scene()), "-o", folder.path("out.exr")});
+    const Read picture = read_picture(folder.path("out.exr"));
+    EXPECT_EQ(picture.spec.width, 32);
+    EXPECT_EQ(picture.spec.height, 24);
+    EXPECT_EQ(picture.spec.nchannels, 3);
+    EXPECT_EQ(picture.spec.format, OIIO::TypeDesc::FLOAT);
+    EXPECT_EQ(picture.spec.channelnames, (std::vector<std::string>{"R", "G", "B"}));
+    // The middle of the sphere: ambient 0.1 * 0.5, and light from above right.
+    const std::size_t middle = 3 * (12 * 32 + 16);
+    EXPECT_GT(picture.values[middle], 0.1f);
+    EXPECT_EQ(picture.values[0], 0) << "background";
+}
+
+TEST(Outputs, ExrNamesProgramSettingsSceneAndStatistics) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.json", native_scene());
+    render({scene, "-o", folder.path("out.exr"), "--spp", "2", "--seed", "3", "--max-depth", "4", "--set", "integrator.threshold=0.25"});
+    const Read picture = read_picture(folder.path("out.exr"));
+    EXPECT_TRUE(picture.text("Software").starts_with("brandung 0.")) << picture.text("Software");
+    EXPECT_EQ(picture.text("brandung:scene"), scene);
+    EXPECT_EQ(picture.text("brandung:integrator"), "whitted");
+    EXPECT_EQ(picture.text("brandung:max_depth"), "4");
+    EXPECT_EQ(picture.text("brandung:threshold"), "0.25");
+    EXPECT_EQ(picture.text("brandung:spp"), "2");
+    EXPECT_EQ(picture.text("brandung:seed"), "3");
+    const json statistics = json::parse(picture.text("brandung:statistics"));
+    EXPECT_EQ(statistics.at("rays").at("camera"), 32 * 24 * 2);
+    EXPECT_EQ(statistics.at("accelerator"), "wide_bvh");
+}
+
+/// The hash tells whether two pictures are of the same scene, wherever its file lies.
+TEST(Outputs, ExrHasTheScenesHash) {
+    const TemporaryFolder folder;
+    const auto hash = [&](const std::string &name, const std::string &text) {
+        render({folder.write(name, text), "-o", folder.path("out.exr")});
+        return read_picture(folder.path("out.exr")).text("brandung:scene_hash");
+    };
+    const std::string one = hash("one.json", native_scene());
+    EXPECT_NE(one, "");
+    EXPECT_EQ(one, hash("copy.json", native_scene()));
+    EXPECT_NE(one, hash("other.json", native_scene(R"({"type": "sphere", "material": "grey", "center": [0, 0, 0], "radius": 1.0000001})")));
+}
+
+TEST(Outputs, PngIsTheExrThroughExposureAndTheSrgbCurve) {
+    const TemporaryFolder folder;
+    render({folder.write("scene.json", native_scene()), "--size", "37x23", "--spp", "4", "--set", "film.exposure=1.5", "-o", folder.path("out.exr"),
+            "-o", folder.path("out.png")});
+    const Read linear = read_picture(folder.path("out.exr")), shown = read_picture(folder.path("out.png"));
+    EXPECT_EQ(shown.spec.width, 37);
+    EXPECT_EQ(shown.spec.height, 23);
+    EXPECT_EQ(shown.spec.nchannels, 3);
+    EXPECT_EQ(shown.spec.format, OIIO::TypeDesc::UINT8);
+    ASSERT_EQ(shown.values.size(), linear.values.size());
+    std::size_t between = 0;
+    for (std::size_t i = 0; i < linear.values.size(); ++i) {
+        const int byte = static_cast<int>(std::lround(255 * shown.values[i]));
+        // The program's curve is computed in float: one step off where the exact value lies at the border between two.
+        ASSERT_NEAR(byte, srgb_byte(linear.values[i] * std::exp2(1.5)), 1) << "value " << i;
+        between += byte > 0 && byte < 255;
+    }
+    EXPECT_GT(between, 100u) << "the picture has values that test the curve";
+}
+
+TEST(Outputs, SeveralAtOnceAreTheSamePicture) {
+    const TemporaryFolder folder;
+    render({folder.write("scene.json", native_scene()), "-o", folder.path("a.exr"), "-o", folder.path("b.exr"), "-o", folder.path("c.tif"), "-o",
+            folder.path("d.hdr"), "-o", folder.path("e.jpg")});
+    const Read exr = read_picture(folder.path("a.exr"));
+    EXPECT_EQ(exr.values, read_picture(folder.path("b.exr")).values);
+    EXPECT_EQ(exr.values, read_picture(folder.path("c.tif")).values);
+    for (const char *name : {"d.hdr", "e.jpg"}) EXPECT_EQ(read_picture(folder.path(name)).spec.width, 32) << name;
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.exr", "b.exr", "c.tif", "d.hdr", "e.jpg", "scene.json"}));
+}
+
+TEST(Outputs, AnOldPictureIsReplaced) {
+    const TemporaryFolder folder;
+    const std::string out = folder.write("out.exr", "old");
+    render({folder.write("scene.json", native_scene()), "-o", out});
+    EXPECT_EQ(read_picture(out).spec.width, 32);
+}
+
+namespace {
+
+json statistics_of(const std::vector<std::string> &more, const std::string &scene = native_scene()) {
+    const TemporaryFolder folder;
+    std::vector<std::string> arguments = {folder.write("scene.json", scene), "-o", folder.path("out.exr"), "--stats", folder.path("stats.json")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    render(arguments);
+    return json::parse(read_file(folder.path("stats.json")));
+}
+
+}  // namespace
+
+/// The names that DESIGN section 1 promises.
+TEST(Statistics, HaveEveryPromisedField) {
+    const json stats = statistics_of({"--spp", "2"});
+    for (const char *name : {"triangles", "primitives", "lights", "materials"}) EXPECT_TRUE(stats.at("scene").at(name).is_number_unsigned()) << name;
+    for (const char *name : {"device", "integrator", "accelerator"}) EXPECT_TRUE(stats.at(name).is_string()) << name;
+    for (const char *name : {"width", "height", "spp", "seed"}) EXPECT_TRUE(stats.at(name).is_number_unsigned()) << name;
+    for (const char *name : {"read", "scene", "accelerator", "kernels", "render", "write", "total"})
+        EXPECT_GE(stats.at("seconds").at(name).get<double>(), 0) << name;
+    for (const char *name : {"camera", "reflected", "refracted", "shadow", "total", "camera_hits", "reflected_hits", "refracted_hits", "shadow_hits"})
+        EXPECT_TRUE(stats.at("rays").at(name).is_number_unsigned()) << name;
+    ASSERT_FALSE(stats.at("kernels").empty());
+    for (const json &kernel : stats.at("kernels")) {
+        EXPECT_TRUE(kernel.at("name").is_string());
+        EXPECT_GT(kernel.at("launches").get<std::uint64_t>(), 0u) << kernel;
+        EXPECT_GT(kernel.at("items").get<std::uint64_t>(), 0u) << kernel;
+        EXPECT_GE(kernel.at("milliseconds").get<double>(), 0) << kernel;
+    }
+    for (const char *name : {"scene_bytes", "wave_bytes", "film_bytes"}) EXPECT_GT(stats.at("memory").at(name).get<std::uint64_t>(), 0u) << name;
+    EXPECT_TRUE(stats.at("features").at("used").is_array());
+    for (const json &skipped : stats.at("features").at("skipped")) EXPECT_FALSE(skipped.at("why").get<std::string>().empty()) << skipped;
+}
+
+TEST(Statistics, HaveTheErrorOfThePicture) {
+    const json stats = statistics_of({"--spp", "4"});
+    ASSERT_TRUE(stats.contains("error"));
+    for (const char *name : {"relmse", "confidence_95"}) EXPECT_GE(stats.at("error").at(name).get<double>(), 0) << name;
+}
+
+TEST(Statistics, SecondsOfThePhasesAddUpToNoMoreThanTheTotal) {
+    const json seconds = statistics_of({}).at("seconds");
+    double sum = 0;
+    for (const auto &[name, value] : seconds.items())
+        if (name != "total") sum += value.get<double>();
+    EXPECT_LE(sum, seconds.at("total").get<double>() * 1.001);
+    EXPECT_GE(sum, seconds.at("total").get<double>() * 0.9) << "little time goes uncounted";
+}
+
+/// A closed sphere of radius 1 seen from 4 away under 40 degrees, without mirrors: every number follows.
+TEST(Statistics, OfASphereFollowFromItsGeometry) {
+    const json stats = statistics_of({"--size", "200x200", "--set", "camera.fov=90", "--spp", "1"});
+    const json rays = stats.at("rays");
+    EXPECT_EQ(rays.at("camera"), 200 * 200);
+    // The outline's half angle is asin 1/4, a circle of radius tan asin 1/4 = 1/sqrt 15 in a square of half width 1; its area in pixels is
+    // pi/15 100². A pixel counts if its centre is inside; the error is of the order of the outline's length to the power 2/3, about 30.
+    EXPECT_NEAR(rays.at("camera_hits").get<double>(), M_PI / 15 * 1e4, 30);
+    EXPECT_EQ(rays.at("reflected"), 0);
+    EXPECT_EQ(rays.at("refracted"), 0);
+    EXPECT_EQ(rays.at("shadow_hits"), 0) << "a sphere does not shadow its lit side";
+    EXPECT_GT(rays.at("shadow"), 0);
+    EXPECT_LT(rays.at("shadow"), rays.at("camera_hits"));
+    EXPECT_EQ(rays.at("total").get<int>(), rays.at("camera").get<int>() + rays.at("shadow").get<int>());
+    EXPECT_EQ(stats.at("refused"), 0);
+    EXPECT_EQ(stats.at("clamped"), 0);
+}
+
+TEST(Statistics, NameWhatASceneSkips) {
+    const json features = statistics_of({}).at("features");
+    const auto skips = [&](const std::string &name) {
+        for (const json &skipped : features.at("skipped"))
+            if (skipped.at("name") == name) return true;
+        return false;
+    };
+    for (const char *name :
+         {"primitive triangle", "primitive smooth_triangle", "primitive frustum", "light directional", "spawn_whitted", "interior"})
+        EXPECT_TRUE(skips(name)) << name;
+    EXPECT_FALSE(skips("primitive sphere"));
+    EXPECT_FALSE(skips("trace_shadow_rays"));
+}
+
+TEST(Statistics, MemoryOfTheWavesDoesNotGrowWithThePicture) {
+    const json small = statistics_of({"--size", "16x16", "--spp", "16"}).at("memory"),
+               big = statistics_of({"--size", "300x200", "--spp", "64"}).at("memory");
+    EXPECT_EQ(small.at("wave_bytes"), big.at("wave_bytes"));
+    EXPECT_EQ(small.at("scene_bytes"), big.at("scene_bytes"));
+    EXPECT_LT(small.at("film_bytes"), big.at("film_bytes"));
+    EXPECT_LT(small.at("wave_bytes"), statistics_of({"--batch", "131072"}).at("memory").at("wave_bytes")) << "the batch decides";
+}

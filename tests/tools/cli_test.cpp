@@ -1,0 +1,244 @@
+/// The program's subcommands where nothing is wrong: what they print, write and return.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/program.h"
+#include "tests/tools/scenes.h"
+
+namespace {
+
+using nlohmann::json;
+
+void expect_success(const Finished &run) {
+    EXPECT_EQ(run.status, 0) << "signal " << run.signal << (run.timed_out ? ", timed out\n" : "\n") << run.err;
+}
+
+/// Runs `brandung render SCENE ARGUMENTS...` on a small native scene in `folder`.
+Finished render(const TemporaryFolder &folder, const std::vector<std::string> &arguments, const RunOptions &options = {}) {
+    std::vector<std::string> all = {"render", folder.write("scene.json", native_scene())};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return run_program(all, options);
+}
+
+}  // namespace
+
+TEST(Cli, HelpNamesEverySubcommandOnStandardOutput) {
+    const Finished run = run_program({"--help"});
+    expect_success(run);
+    EXPECT_EQ(run.err, "");
+    for (const char *command : {"render", "info", "devices"}) EXPECT_NE(run.out.find(command), std::string::npos) << command;
+}
+
+TEST(Cli, HelpOfRenderNamesEveryOption) {
+    const Finished run = run_program({"render", "--help"});
+    expect_success(run);
+    for (const char *option : {"--output", "--integrator", "--accelerator", "--spp", "--size", "--seed", "--pixel", "--camera", "--max-depth",
+                               "--set", "--device", "--batch", "--threads", "--stats", "--explain", "--quiet"})
+        EXPECT_NE(run.out.find(option), std::string::npos) << option;
+}
+
+TEST(Cli, VersionIsOneLineWithTheProjectsNumber) {
+    const Finished run = run_program({"--version"});
+    expect_success(run);
+    EXPECT_EQ(lines_of(run.out).size(), 1u);
+    EXPECT_TRUE(run.out.starts_with("brandung 0.")) << run.out;
+    EXPECT_EQ(run.err, "");
+}
+
+TEST(Cli, DevicesMarksTheOneThatIsTaken) {
+    const Finished text = run_program({"devices"});
+    expect_success(text);
+    std::size_t marked = 0;
+    for (const std::string &line : lines_of(text.out)) marked += line.starts_with("* ");
+    EXPECT_EQ(marked, 1u) << text.out;
+
+    const Finished as_json = run_program({"devices", "--json"});
+    expect_success(as_json);
+    const json devices = json::parse(as_json.out);
+    std::size_t chosen = 0;
+    for (const json &device : devices) {
+        chosen += device.at("chosen").get<bool>();
+        EXPECT_FALSE(device.at("name").get<std::string>().empty());
+        EXPECT_GT(device.at("compute_units").get<int>(), 0);
+        EXPECT_GT(device.at("memory_bytes").get<std::uint64_t>(), 0u);
+    }
+    EXPECT_EQ(chosen, 1u);
+    EXPECT_EQ(devices.size(), lines_of(text.out).size());
+}
+
+TEST(Cli, InfoCountsWhatTheSceneContains) {
+    const TemporaryFolder folder;
+    const std::string scene =
+        folder.write("scene.nff", nff_scene("s 0 0 0 1\nf 1 0 0 1 0 1 0 1\nc 0 0 0 1\n0 1 0 0.5\np 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"));
+    const Finished run = run_program({"info", scene, "--json"});
+    expect_success(run);
+    EXPECT_EQ(run.err, "");
+    const json info = json::parse(run.out), counts = info.at("scene");
+    EXPECT_EQ(counts.at("primitives"), 4);  // sphere, cone, and two triangles of the square
+    EXPECT_EQ(counts.at("triangles"), 2);
+    EXPECT_EQ(counts.at("lights"), 1);
+    EXPECT_EQ(counts.at("materials"), 2);
+    EXPECT_EQ(info.at("film").at("width"), 32);
+    EXPECT_EQ(info.at("film").at("height"), 24);
+    for (const char *part : {"scene_bytes", "wave_bytes", "film_bytes"}) EXPECT_GT(info.at("memory").at(part).get<std::uint64_t>(), 0u) << part;
+
+    const Finished text = run_program({"info", scene});
+    expect_success(text);
+    for (const char *line : {"primitives: 4", "triangles: 2", "uses    primitive sphere", "skips   light directional"})
+        EXPECT_NE(text.out.find(line), std::string::npos) << line << " in\n" << text.out;
+}
+
+TEST(Cli, RenderWritesNothingButMessagesToStandardError) {
+    const TemporaryFolder folder;
+    const Finished run = render(folder, {"-o", folder.path("out.exr")});
+    expect_success(run);
+    EXPECT_EQ(run.out, "");
+    EXPECT_NE(run.err.find("memory: scene"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("100 %"), std::string::npos) << run.err;
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"out.exr", "scene.json"}));
+}
+
+TEST(Cli, QuietRenderSaysNothing) {
+    const TemporaryFolder folder;
+    const Finished run = render(folder, {"-o", folder.path("out.exr"), "--quiet"});
+    expect_success(run);
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(run.err, "");
+}
+
+TEST(Cli, ExplainSaysWhatIsUsedAndWhatIsSkippedAndWhy) {
+    const TemporaryFolder folder;
+    const Finished run = render(folder, {"-o", folder.path("out.exr"), "--quiet", "--explain"});
+    expect_success(run);
+    EXPECT_NE(run.out.find("uses    primitive sphere\n"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("uses    accelerator wide_bvh\n"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("skips   primitive triangle: the scene has none\n"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("skips   spawn_whitted: no material reflects or transmits\n"), std::string::npos) << run.out;
+    EXPECT_EQ(run.err, "");
+}
+
+TEST(Cli, WarningsAreCountedNotRepeated) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.nff", nff_scene("s 0 0 0 1\ns 0 0 0 0\ns 1 0 0 0\ns 2 0 0 0\n"));
+    const Finished run = run_program({"render", scene, "-o", folder.path("out.png"), "--quiet"});
+    expect_success(run);
+    EXPECT_EQ(run.err, "warning: sphere of radius 0: left out (3 times)\n");
+}
+
+TEST(Cli, NegativeRadiusInNffShowsTheInsideOnly) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.nff", nff_scene("s 0 0 0 -1\n"));
+    const Finished run = run_program({"render", scene, "-o", folder.path("out.png"), "--quiet", "--stats", folder.path("stats.json")});
+    expect_success(run);
+    const json rays = json::parse(read_file(folder.path("stats.json"))).at("rays");
+    EXPECT_GT(rays.at("camera_hits").get<int>(), 0);
+    EXPECT_EQ(rays.at("shadow").get<int>(), rays.at("shadow_hits").get<int>())
+        << "rays to the light, which is outside, pass the back only from inside";
+}
+
+/// Settings on the command line are those of the scene file: both ways give the same picture.
+TEST(Cli, OptionsAreSettingsOfTheScene) {
+    const TemporaryFolder folder;
+    const std::string stats = folder.path("stats.json");
+    expect_success(render(folder, {"-o", folder.path("a.exr"), "--quiet", "--size", "20x10", "--spp", "4", "--seed", "7", "--max-depth", "3",
+                                   "--accelerator", "none", "--integrator", "whitted", "--stats", stats}));
+    const json by_option = json::parse(read_file(stats));
+    expect_success(render(folder, {"-o", folder.path("b.exr"), "--quiet", "--set", "film.width=20", "--set", "film.height=10", "--set", "film.spp=4",
+                                   "--set", "film.seed=7", "--set", "integrator.max_depth=3", "--set", "accelerator=none", "--stats", stats}));
+    const json by_setting = json::parse(read_file(stats));
+    for (const char *name : {"width", "height", "spp", "seed", "accelerator", "integrator", "rays"})
+        EXPECT_EQ(by_option.at(name), by_setting.at(name));
+    EXPECT_EQ(by_option.at("width"), 20);
+    EXPECT_EQ(by_option.at("height"), 10);
+    EXPECT_EQ(by_option.at("spp"), 4);
+    EXPECT_EQ(by_option.at("seed"), 7);
+    EXPECT_EQ(by_option.at("accelerator"), "none");
+    EXPECT_EQ(by_option.at("rays").at("camera"), 20 * 10 * 4);
+}
+
+TEST(Cli, SetReachesIntoArraysOfTheScene) {
+    const TemporaryFolder folder;
+    const Finished run =
+        render(folder, {"-o", folder.path("out.exr"), "--quiet", "--set", "objects.0.radius=1000", "--stats", folder.path("s.json")});
+    expect_success(run);
+    EXPECT_EQ(json::parse(read_file(folder.path("s.json"))).at("rays").at("camera_hits"), 32 * 24) << "the eye is inside the sphere";
+}
+
+TEST(Cli, CameraIsChosenByName) {
+    const TemporaryFolder folder;
+    std::string text = native_scene();
+    const std::string camera = R"("camera": {"from": [0, 0, 4], "at": [0, 0, 0], "fov": 40})";
+    text.replace(text.find(camera), camera.size(), R"("cameras": [{"name": "front", "from": [0, 0, 4], "at": [0, 0, 0]},
+        {"name": "away", "from": [0, 0, 4], "at": [0, 0, 8]}])");
+    const std::string scene = folder.write("scene.json", text), stats = folder.path("stats.json");
+    const auto hits = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"render", scene, "-o", folder.path("out.png"), "--quiet", "--stats", stats});
+        expect_success(run_program(arguments));
+        return json::parse(read_file(stats)).at("rays").at("camera_hits").get<int>();
+    };
+    EXPECT_GT(hits({}), 0) << "the first is the default";
+    EXPECT_GT(hits({"--camera", "front"}), 0);
+    EXPECT_EQ(hits({"--camera", "away"}), 0);
+}
+
+class ExampleScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(ExampleScene, RendersAndMentionsNoTrouble) {
+    const TemporaryFolder folder;
+    const Finished run = run_program({"render", std::string(BRANDUNG_SOURCE_DIR "/scene/examples/") + GetParam() + ".json", "-o",
+                                      folder.path("out.png"), "--size", "40x30", "--spp", "1", "--quiet", "--stats", folder.path("stats.json")});
+    expect_success(run);
+    EXPECT_EQ(run.err, "");
+    const json stats = json::parse(read_file(folder.path("stats.json")));
+    EXPECT_GT(stats.at("rays").at("camera_hits").get<int>(), 0);
+    EXPECT_GT(stats.at("rays").at("shadow").get<int>(), 0);
+    EXPECT_EQ(stats.at("refused"), 0);
+    EXPECT_EQ(stats.at("clamped"), 0);
+}
+
+namespace {
+
+std::vector<std::string> example_names() {
+    std::vector<std::string> names;
+    for (const auto &entry : std::filesystem::directory_iterator(BRANDUNG_SOURCE_DIR "/scene/examples"))
+        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+    return names;
+}
+
+}  // namespace
+
+INSTANTIATE_TEST_SUITE_P(Cli, ExampleScene, testing::ValuesIn(example_names()), [](const auto &info) { return info.param; });
+
+namespace {
+
+/// A render of minutes, interrupted by `signal` after its first batch.
+Finished interrupted_render(const TemporaryFolder &folder, const std::vector<std::string> &arguments, int signal) {
+    std::vector<std::string> all = {"--size", "512x512", "--spp", "100000", "--batch", "16384"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    RunOptions options;
+    options.signal_when = [signal](const std::string &err) { return err.find("samples/s") != std::string::npos ? signal : 0; };
+    return render(folder, all, options);
+}
+
+}  // namespace
+
+TEST(CliInterrupted, WritesThePictureSoFarAndExits130) {
+    const TemporaryFolder folder;
+    const Finished run = interrupted_render(folder, {"-o", folder.path("out.png"), "--stats", folder.path("stats.json")}, SIGINT);
+    EXPECT_EQ(run.status, 130) << "signal " << run.signal << "\n" << run.err;
+    EXPECT_FALSE(run.timed_out);
+    EXPECT_NE(run.err.find("interrupted: the picture so far has been written\n"), std::string::npos) << run.err;
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"out.png", "scene.json", "stats.json"}));
+    const json rays = json::parse(read_file(folder.path("stats.json"))).at("rays");
+    EXPECT_GE(rays.at("camera").get<std::uint64_t>(), 16384u);
+    EXPECT_LT(rays.at("camera").get<std::uint64_t>(), 512ull * 512 * 100000);
+}
+
+TEST(CliInterrupted, ByTheTerminateSignalToo) {
+    const TemporaryFolder folder;
+    const Finished run = interrupted_render(folder, {"-o", folder.path("out.exr")}, SIGTERM);
+    EXPECT_EQ(run.status, 130) << "signal " << run.signal << "\n" << run.err;
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"out.exr", "scene.json"}));
+}
