@@ -13,7 +13,7 @@ struct RenderProgress {
 };
 
 struct RenderOptions {
-    uint batch = 65536;  ///< rays per wave
+    uint batch = 32768;  ///< rays per wave
     /// Called after every batch; false stops the render.
     std::function<bool(const RenderProgress &)> on_progress;
 };

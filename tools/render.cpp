@@ -25,7 +25,7 @@ std::atomic<bool> interrupted = false;  // set by the signal handler, which may 
 struct Options {
     std::string scene, stats, device, camera, integrator, accelerator, size, pixel;
     std::vector<std::string> outputs, assignments;
-    uint spp = 0, seed = 0, max_depth = 0, batch = 65536, threads = 0;
+    uint spp = 0, seed = 0, max_depth = 0, batch = 32768, threads = 0;
     bool has_seed = false, explain = false, quiet = false;
 };
 

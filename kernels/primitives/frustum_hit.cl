@@ -2,8 +2,17 @@
 
 /// Nearest crossing in (0, t_max] with the part |z| <= half_length of x² = (radius + slope z)². The quadratic is set up at the point of the
 /// ray nearest to the frustum's centre, and its discriminant by exact products, so that distance costs no precision.
-/// A ray that begins on the surface, within rounding, does not meet it there.
+/// A ray that begins on the surface, within rounding, does not meet it there. Its box is tested first: most rays miss it.
 FUNCTION Crossing frustum_crossing(const global FrustumBlock *block, uint j, LaneRay ray) {
+    const real3 low = make3(LANE(block->low[0], j), LANE(block->low[1], j), LANE(block->low[2], j));
+    const real3 high = make3(LANE(block->high[0], j), LANE(block->high[1], j), LANE(block->high[2], j));
+    Crossing crossing;
+    crossing.t = 0.0f, crossing.u = 0.0f, crossing.v = 0.0f;
+    crossing.hit = (crossing.t == 0.0f);
+    crossing = within_box(crossing, low, high, ray);
+    if (mask_bits(crossing.hit) == 0u) return crossing;
+    const real entry = crossing.t;
+
     const real3 center = make3(LANE(block->center[0], j), LANE(block->center[1], j), LANE(block->center[2], j));
     const real3 axis = make3(LANE(block->axis[0], j), LANE(block->axis[1], j), LANE(block->axis[2], j));
     const real radius = LANE(block->radius, j), slope = LANE(block->slope, j), half_length = LANE(block->half_length, j);
@@ -19,9 +28,7 @@ FUNCTION Crossing frustum_crossing(const global FrustumBlock *block, uint j, Lan
     const real c = dot3(x, x) - r * r;
     const real discriminant = difference_of_products(b, b, a, c);
 
-    Crossing crossing;
-    crossing.t = 0.0f, crossing.u = 0.0f, crossing.v = 0.0f;
-    crossing.hit = discriminant >= 0.0f;
+    crossing.hit &= discriminant >= 0.0f;
     if (mask_bits(crossing.hit) == 0u) return crossing;
 
     const real q = -(b + copysign(sqrt(discriminant), b));
@@ -38,11 +45,7 @@ FUNCTION Crossing frustum_crossing(const global FrustumBlock *block, uint j, Lan
     const mask faces0 = (side > 0.0f) | (fma(a, s0, b) > 0.0f), faces1 = (side > 0.0f) | (fma(a, s1, b) > 0.0f);
     const mask in0 = (fabs(z0) <= half_length) & (fma(slope, z0, radius) >= 0.0f) & (t0 > 0.0f) & !(starts_on & first_is_start) & faces0;
     const mask in1 = (fabs(z1) <= half_length) & (fma(slope, z1, radius) >= 0.0f) & (t1 > 0.0f) & !(starts_on & !first_is_start) & faces1;
-    crossing.t = where(in0 & (!in1 | (t0 < t1)), t0, t1);
+    crossing.t = maximum(where(in0 & (!in1 | (t0 < t1)), t0, t1), entry);
     crossing.hit &= (in0 | in1) & (crossing.t <= ray.t_max);
-    if (mask_bits(crossing.hit) == 0u) return crossing;
-
-    const real3 low = make3(LANE(block->low[0], j), LANE(block->low[1], j), LANE(block->low[2], j));
-    const real3 high = make3(LANE(block->high[0], j), LANE(block->high[1], j), LANE(block->high[2], j));
-    return within_box(crossing, low, high, ray);
+    return crossing;
 }

@@ -33,13 +33,14 @@ struct Shadows {
         : stride(job.batch + 16),  // strides that are powers of two fall into the same cache sets
           rows(rows),
           spawn(job.device, whitted_cl, "spawn_shadow_rays", job.on_device.lists()),
-          trace(job.device, "kernels/stages/trace_shadow_rays.cl", "trace_shadow_rays", job.on_device.lists()),
+          trace_packets(job.device, "kernels/stages/trace_shadow_rays.cl", "trace_shadow_rays", job.on_device.lists()),
+          trace_singly(job.device, "kernels/stages/trace_shadow_rays_singly.cl", "trace_shadow_rays_singly", job.on_device.lists()),
           compact(job.device, stride, rows),
           rays(job.device, std::size_t{stride} * rows),
           visible(job.device, std::size_t{stride} * rows),
           live(job.device, std::size_t{stride} * rows) {}
     uint stride, rows;
-    Kernel spawn, trace;
+    Kernel spawn, trace_packets, trace_singly;
     Compaction compact;
     Buffer<Ray> rays;
     Buffer<std::uint8_t> visible;
@@ -123,19 +124,20 @@ private:
     /// A block of lights, from `light` on.
     void shade(const Wave &wave, uint light, Buffer<Sample> &samples) {
         const uint rows = std::min(light_count_ - light, lights_per_block), stride = shadows_ ? shadows_->stride : 0;
-        if (rows > 0) trace_shadows(wave.count, light, rows);
+        if (rows > 0) trace_shadows(wave, light, rows);
         const Buffer<std::uint8_t> &visible = shadows_ ? shadows_->visible : no_shadows_;
         shade_(wave.count, scene_, wave, light, rows, stride, wave.level.paths, points_, directions_, visible, contributions_);
         accumulate_(wave.count, wave, wave.level.paths, contributions_, samples, refused_);
     }
 
-    void trace_shadows(uint count, uint light, uint rows) {
+    void trace_shadows(const Wave &wave, uint light, uint rows) {
         Shadows &shadows = *shadows_;
+        const uint count = wave.count;
         shadows.spawn(Grid(count, rows), scene_, light, shadows.stride, count, points_, shadows.rays, shadows.visible);
         shadows.compact(shadows.visible, shadows.stride, count, rows, 0, 0, shadows.live);
-        shadows.trace(Grid(count, rows), scene_, shadows.live, shadows.compact.counts(), shadows.stride, shadows.rays, shadows.visible,
-                      counter_.tallies());
-        counter_.add(shadows.trace.work_items(count) * rows);
+        Kernel &trace = wave.generation == 0 ? shadows.trace_packets : shadows.trace_singly;
+        trace(Grid(count, rows), scene_, shadows.live, shadows.compact.counts(), shadows.stride, shadows.rays, shadows.visible, counter_.tallies());
+        counter_.add(trace.work_items(count) * rows);
     }
 
     const DeviceScene &scene_;
