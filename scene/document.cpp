@@ -1,6 +1,8 @@
 /// JSON text to Document, with errors that name file, line and cause.
 #include "scene/document.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
@@ -16,8 +18,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t MAX_NESTING = 64;
-constexpr std::size_t MAX_MESSAGE = 400;
+constexpr std::size_t max_nesting = 64;
+constexpr std::size_t max_message = 400;
 
 /// An iterator over the text; `reached` tells how far the parser has read, of which it may have read one character ahead.
 struct Cursor {
@@ -38,13 +40,14 @@ struct Cursor {
     bool operator==(const Cursor &other) const { return at == other.at; }
 };
 
-/// One line of at most MAX_MESSAGE bytes.
+/// One line of at most max_message bytes.
 std::string printable(std::string text) {
-    if (text.size() > MAX_MESSAGE) {
-        text.resize(MAX_MESSAGE);
+    if (text.size() > max_message) {
+        text.resize(max_message);
         text += " ...";
     }
-    std::replace_if(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, ' ');
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, ' ');
     return text;
 }
 
@@ -119,7 +122,7 @@ private:
         return !is_wanted();
     }
     bool open(json value) {
-        if (levels_.size() == MAX_NESTING) refuse("nested deeper than " + std::to_string(MAX_NESTING) + " levels");
+        if (levels_.size() == max_nesting) refuse("nested deeper than " + std::to_string(max_nesting) + " levels");
         json *placed = place(std::move(value));
         const bool goes_on = !is_wanted();
         levels_.push_back({placed, {}});
@@ -191,7 +194,7 @@ void set_value(Document &document, const std::string &assignment) {
         value = step.empty() ? nullptr : step_into(*value, step);
         if (!value) {
             const std::string stop = pointer.empty() ? "the scene" : pointer;
-            throw SceneError(printable(document.file + ": cannot set " + assignment + ": " + stop + " has no \"" + step + "\""));
+            throw SceneError(printable(fmt::format("{}: cannot set {}: {} has no \"{}\"", document.file, assignment, stop, step)));
         }
         pointer += "/" + pointer_step(step);
     }

@@ -9,16 +9,14 @@
 namespace brandung {
 
 /// The place in its family's list of the kind called `name`, which must be there.
-template <class Kind>
-uint kind_number(const std::vector<Kind> &kinds, std::string_view name) {
+template <class Kind> uint kind_number(const std::vector<Kind> &kinds, std::string_view name) {
     uint number = 0;
     while (kinds[number].name != name) ++number;
     return number;
 }
 
 /// Writes `view`, a kind's own record, into the words that its family's record has for it.
-template <class View, std::size_t count>
-void write_words(const View &view, uint (&words)[count]) {
+template <class View, std::size_t count> void write_words(const View &view, uint (&words)[count]) {
     static_assert(sizeof(View) <= sizeof words);
     std::memcpy(words, &view, sizeof view);
 }

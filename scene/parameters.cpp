@@ -26,8 +26,7 @@ std::string shown(const json &value) {
 
 [[noreturn]] void refuse(const std::string &wanted, const json &value) { throw Refusal{"must be " + wanted + ", got " + shown(value), ""}; }
 
-template <class Read>
-auto read_elements(const json &array, Read read_element) {
+template <class Read> auto read_elements(const json &array, Read read_element) {
     if (!array.is_array()) refuse("an array", array);
     std::vector<decltype(read_element(array))> result;
     result.reserve(array.size());
@@ -49,7 +48,8 @@ float read_float(const json &value) {
 
 float read_number(const json &value) {
     const float number = read_float(value);
-    if (std::abs(value.get<double>()) > MAX_MAGNITUDE) refuse("at most 1e15 in magnitude (its square must fit into a float with room to spare)", value);
+    if (std::abs(value.get<double>()) > max_magnitude)
+        refuse("at most 1e15 in magnitude (its square must fit into a float with room to spare)", value);
     return number;
 }
 
@@ -141,8 +141,7 @@ Parameters::Parameters(const Document &document, std::string pointer) : document
     if (!object_->is_object()) fail("", "must be an object, got " + shown(*object_));
 }
 
-template <class Read>
-auto Parameters::read(const std::string &name, Read read_value) const {
+template <class Read> auto Parameters::read(const std::string &name, Read read_value) const {
     const json *value = find(name);
     if (!value) fail_missing(name);
     try {
@@ -152,8 +151,7 @@ auto Parameters::read(const std::string &name, Read read_value) const {
     }
 }
 
-template <class T, class Read>
-T Parameters::read_or(const std::string &name, const std::optional<T> &fallback, Read read_value) const {
+template <class T, class Read> T Parameters::read_or(const std::string &name, const std::optional<T> &fallback, Read read_value) const {
     return fallback && !has(name) ? *fallback : read(name, read_value);
 }
 
@@ -169,7 +167,9 @@ float Parameters::number(const std::string &name, std::optional<float> fallback)
 float Parameters::positive(const std::string &name, std::optional<float> fallback) const { return read_or(name, fallback, read_positive); }
 float Parameters::not_negative(const std::string &name, std::optional<float> fallback) const { return read_or(name, fallback, read_not_negative); }
 bool Parameters::boolean(const std::string &name, std::optional<bool> fallback) const { return read_or(name, fallback, read_boolean); }
-std::string Parameters::text(const std::string &name, std::optional<std::string> fallback) const { return read_or(name, fallback, read_text_value); }
+std::string Parameters::text(const std::string &name, const std::optional<std::string> &fallback) const {
+    return read_or(name, fallback, read_text_value);
+}
 vec3 Parameters::vector(const std::string &name, std::optional<vec3> fallback) const { return read_or(name, fallback, read_vector); }
 Spectrum Parameters::spectrum(const std::string &name, std::optional<Spectrum> fallback) const { return read_or(name, fallback, read_spectrum); }
 
@@ -221,7 +221,8 @@ std::vector<Parameters> Parameters::children(const std::string &name) const {
 }
 
 void Parameters::expect_all_known() const {
-    for (const auto &[key, value] : object_->items()) {
+    for (auto item = object_->begin(); item != object_->end(); ++item) {
+        const std::string &key = item.key();
         if (known_->contains(key)) continue;
         std::vector<std::string> names(known_->begin(), known_->end());
         std::stable_sort(names.begin(), names.end(), [&](const auto &a, const auto &b) { return distance(key, a) < distance(key, b); });

@@ -12,7 +12,7 @@
 namespace brandung {
 
 /// Numbers and vectors are refused beyond this magnitude: the square of a length must fit into a float, with room for sums and products.
-inline constexpr double MAX_MAGNITUDE = 1e15;
+inline constexpr double max_magnitude = 1e15;
 
 /// A view of one JSON object. Each getter marks its key as known; `expect_all_known` refuses the others.
 class Parameters {
@@ -27,7 +27,7 @@ public:
     float not_negative(const std::string &name, std::optional<float> fallback = {}) const;
     uint integer(const std::string &name, std::optional<uint> fallback = {}, uint low = 0, uint high = 0xffffffffu) const;
     bool boolean(const std::string &name, std::optional<bool> fallback = {}) const;
-    std::string text(const std::string &name, std::optional<std::string> fallback = {}) const;
+    std::string text(const std::string &name, const std::optional<std::string> &fallback = {}) const;
     /// The index of one of `choices`.
     uint choice(const std::string &name, const std::vector<std::string> &choices, std::optional<uint> fallback = {}) const;
     vec3 vector(const std::string &name, std::optional<vec3> fallback = {}) const;
@@ -50,10 +50,8 @@ public:
 
 private:
     const nlohmann::json *find(const std::string &name) const;
-    template <class Read>
-    auto read(const std::string &name, Read read_value) const;
-    template <class T, class Read>
-    T read_or(const std::string &name, const std::optional<T> &fallback, Read read_value) const;
+    template <class Read> auto read(const std::string &name, Read read_value) const;
+    template <class T, class Read> T read_or(const std::string &name, const std::optional<T> &fallback, Read read_value) const;
     [[noreturn]] void fail_missing(const std::string &name) const;
 
     const Document *document_;

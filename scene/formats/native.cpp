@@ -11,17 +11,15 @@ namespace brandung {
 namespace {
 
 /// The kind that the value "type" names.
-template <class Kind>
-const Kind &kind_of(const Parameters &parameters, const std::vector<Kind> &kinds) {
+template <class Kind> const Kind &kind_of(const Parameters &parameters, const std::vector<Kind> &kinds) {
     std::vector<std::string> names;
     for (const Kind &kind : kinds) names.emplace_back(kind.name);
     return kinds[parameters.choice("type", names)];
 }
 
 /// The value "name", which no other of `things` may have.
-template <class Thing>
-std::string new_name(const Parameters &parameters, const std::vector<Thing> &things) {
-    const std::string name = parameters.text("name");
+template <class Thing> std::string new_name(const Parameters &parameters, const std::vector<Thing> &things) {
+    std::string name = parameters.text("name");
     if (name.empty()) parameters.fail("name", "must not be empty");
     if (std::any_of(things.begin(), things.end(), [&](const Thing &thing) { return thing.name == name; }))
         parameters.fail("name", "\"" + name + "\" is the name of an earlier one");
@@ -65,7 +63,7 @@ void check_view(const Parameters &parameters, const CameraDescription &camera) {
 
 /// The materials that the eye is in.
 std::vector<std::string> read_inside(const Parameters &parameters, const Scene &scene) {
-    const std::vector<std::string> names = parameters.texts("inside");
+    std::vector<std::string> names = parameters.texts("inside");
     for (const std::string &name : names) {
         const auto same_name = [&](const NamedMaterial &material) { return material.name == name; };
         const auto found = std::find_if(scene.materials.begin(), scene.materials.end(), same_name);

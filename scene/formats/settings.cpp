@@ -6,12 +6,12 @@
 namespace brandung {
 namespace {
 
-constexpr uint MAX_RESOLUTION = 65535, MAX_SAMPLES = 1u << 24, MAX_DEPTH = 1000;
+constexpr uint max_resolution = 65535, max_samples = 1u << 24, max_depth = 1000;
 
 void read_film(const Parameters &parameters, FilmSettings &film) {
-    film.width = parameters.integer("width", film.width, 1, MAX_RESOLUTION);
-    film.height = parameters.integer("height", film.height, 1, MAX_RESOLUTION);
-    film.spp = parameters.integer("spp", film.spp, 1, MAX_SAMPLES);
+    film.width = parameters.integer("width", film.width, 1, max_resolution);
+    film.height = parameters.integer("height", film.height, 1, max_resolution);
+    film.spp = parameters.integer("spp", film.spp, 1, max_samples);
     film.seed = parameters.integer("seed", film.seed);
     film.pixel = parameters.choice("pixel", {"corner", "center", "random"}, film.pixel);
     film.exposure = parameters.number("exposure", film.exposure);
@@ -20,7 +20,7 @@ void read_film(const Parameters &parameters, FilmSettings &film) {
 
 void read_integrator(const Parameters &parameters, IntegratorSettings &integrator) {
     integrator.type = parameters.text("type", integrator.type);
-    integrator.max_depth = parameters.integer("max_depth", integrator.max_depth, 1, MAX_DEPTH);
+    integrator.max_depth = parameters.integer("max_depth", integrator.max_depth, 1, max_depth);
     integrator.threshold = parameters.not_negative("threshold", integrator.threshold);
     parameters.expect_all_known();
 }

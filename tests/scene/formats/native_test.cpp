@@ -1,0 +1,222 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "kernels/bsdfs/whitted.h"
+#include "scene/error.h"
+#include "scene/formats/format.h"
+#include "scene/lights/light.h"
+#include "tests/scene/formats/temporary_file.h"
+
+namespace brandung {
+namespace {
+
+/// One key per line, so that an error's line says which.
+const char *const small_scene = R"({
+"film": {"width": 64, "height": 48, "spp": 4, "seed": 7, "pixel": "random", "exposure": -1},
+"integrator": {"type": "whitted", "max_depth": 9, "threshold": 0.01},
+"accelerator": "none",
+"background": [0.1, 0.2, 0.3],
+"ambient": 0.25,
+"camera": {"from": [0, 0, 5], "at": [0, 0, 0], "up": [0, 2, 0], "fov": 90, "inside": ["water"]},
+"materials": [
+{"name": "water", "type": "whitted", "diffuse": 0, "transmission": 1, "fresnel": true, "eta": 1.33, "priority": 3},
+{"name": "grey", "type": "whitted"}],
+"lights": [
+{"type": "point", "position": [1, 2, 3], "intensity": 10},
+{"type": "directional", "direction": [0, -2, 0], "irradiance": [1, 2, 3]}],
+"objects": [
+{"type": "sphere", "material": "grey", "center": [0, 0, 0], "radius": 1},
+{"type": "sphere", "material": "water", "center": [0, 0, 5], "radius": 1}]
+})";
+
+/// The error's text behind the file's name; empty if there is no error.
+std::string error_of(const std::string &text, const std::vector<std::string> &assignments = {}) {
+    const TemporaryFile file(text);
+    try {
+        read_scene(file.path, assignments);
+    } catch (const SceneError &error) {
+        const std::string what = error.what();
+        EXPECT_EQ(what.substr(0, file.path.size()), file.path);
+        EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+        return what.substr(file.path.size());
+    }
+    return {};
+}
+
+/// The small scene with `from` replaced by `to`.
+std::string changed(const std::string &from, const std::string &to) {
+    std::string text = small_scene;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+template <class View, class Record> View view_of(const Record &record) {
+    View view;
+    std::memcpy(&view, record.words, sizeof view);
+    return view;
+}
+
+TEST(Native, ReadsEverySection) {
+    const Scene scene = read_text(small_scene);
+    EXPECT_EQ(scene.film.width, 64u);
+    EXPECT_EQ(scene.film.height, 48u);
+    EXPECT_EQ(scene.film.spp, 4u);
+    EXPECT_EQ(scene.film.seed, 7u);
+    EXPECT_EQ(scene.film.pixel, PIXEL_RANDOM);
+    EXPECT_EQ(scene.film.exposure, -1.0f);
+    EXPECT_EQ(scene.integrator.type, "whitted");
+    EXPECT_EQ(scene.integrator.max_depth, 9u);
+    EXPECT_EQ(scene.integrator.threshold, 0.01f);
+    EXPECT_EQ(scene.accelerator, "none");
+    EXPECT_EQ(scene.background, Spectrum(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(scene.ambient, Spectrum(0.25f));
+    ASSERT_EQ(scene.shapes.size(), 2u);
+    EXPECT_EQ(scene.shapes[0]->material, 1u);
+    EXPECT_EQ(scene.shapes[1]->material, 0u);
+}
+
+TEST(Native, ReadsCameras) {
+    const Scene one = read_text(small_scene);
+    ASSERT_EQ(one.cameras.size(), 1u);
+    EXPECT_EQ(one.cameras[0].from, vec3(0, 0, 5));
+    EXPECT_EQ(one.cameras[0].up, vec3(0, 2, 0));
+    EXPECT_NEAR(one.cameras[0].fov, std::acos(-1.0) / 2, 1e-6);
+    EXPECT_EQ(one.cameras[0].inside, std::vector<std::string>{"water"});
+
+    const Scene two =
+        read_text(R"({"cameras": [{"name": "left", "from": [-1, 0, 0], "at": [0, 0, 0]}, {"name": "right", "from": [1, 0, 0], "at": [0, 0, 0]}]})");
+    ASSERT_EQ(two.cameras.size(), 2u);
+    EXPECT_EQ(two.cameras[1].name, "right");
+}
+
+TEST(Native, MakesMaterialRecords) {
+    const Scene scene = read_text(small_scene);
+    ASSERT_EQ(scene.materials.size(), 2u);
+    const Material &water = scene.materials[0].record, &grey = scene.materials[1].record;
+    EXPECT_EQ(water.flags, MATERIAL_TRANSMITS);
+    EXPECT_EQ(water.eta, 1.33f);
+    EXPECT_EQ(water.priority, 3u);
+    EXPECT_EQ(view_of<Whitted>(water).fresnel, 1u);
+    EXPECT_EQ(view_of<Whitted>(water).transmission, Spectrum(1));
+    // Defaults.
+    EXPECT_EQ(grey.flags, MATERIAL_LIT);
+    EXPECT_EQ(grey.emission, Spectrum(0));
+    EXPECT_EQ(view_of<Whitted>(grey).diffuse, Spectrum(0.5f));
+    EXPECT_EQ(view_of<Whitted>(grey).ambient, Spectrum(0.5f));
+    EXPECT_EQ(view_of<Whitted>(grey).exponent, 50.0f);
+}
+
+TEST(Native, MakesLightRecords) {
+    const Scene scene = read_text(small_scene);
+    ASSERT_EQ(scene.lights.size(), 2u);
+    EXPECT_STREQ(light_kinds()[scene.lights[0].kind].name, "point");
+    EXPECT_EQ(view_of<PointLight>(scene.lights[0]).position, vec3(1, 2, 3));
+    EXPECT_EQ(view_of<PointLight>(scene.lights[0]).attenuation, vec3(0, 0, 1));
+    EXPECT_STREQ(light_kinds()[scene.lights[1].kind].name, "directional");
+    // The file says where the light goes, the record where it comes from.
+    EXPECT_EQ(view_of<DirectionalLight>(scene.lights[1]).direction, vec3(0, 1, 0));
+    EXPECT_EQ(view_of<DirectionalLight>(scene.lights[1]).irradiance, Spectrum(1, 2, 3));
+}
+
+TEST(Native, SetsValuesBeforeTheyAreInterpreted) {
+    const Scene scene = read_text(small_scene, {"film.spp=64", "integrator.threshold=0", "lights.0.intensity=[1,2,3]", "camera.fov=30"});
+    EXPECT_EQ(scene.film.spp, 64u);
+    EXPECT_EQ(scene.integrator.threshold, 0.0f);
+    EXPECT_EQ(view_of<PointLight>(scene.lights[0]).intensity, Spectrum(1, 2, 3));
+    EXPECT_EQ(error_of(small_scene, {"film.spp=0"}), ": /film/spp (set on the command line): must be a whole number from 1 to 16777216, got 0");
+    EXPECT_EQ(error_of(small_scene, {"film.sp=1"}).substr(0, 60), ": /film/sp (set on the command line): unknown key; known her");
+}
+
+TEST(Native, RefusesBadSettings) {
+    EXPECT_EQ(error_of(changed("64", "0")), ":2: /film/width: must be a whole number from 1 to 65535, got 0");
+    EXPECT_EQ(error_of(changed("48", "65536")), ":2: /film/height: must be a whole number from 1 to 65535, got 65536");
+    EXPECT_EQ(error_of(changed("\"random\"", "\"middle\"")), ":2: /film/pixel: must be one of corner, center, random, got \"middle\"");
+    EXPECT_EQ(error_of(changed("\"seed\"", "\"sead\"")).substr(0, 44), ":2: /film/sead: unknown key; known here: see");
+    EXPECT_EQ(error_of(changed("9,", "1001,")), ":3: /integrator/max_depth: must be a whole number from 1 to 1000, got 1001");
+    EXPECT_EQ(error_of(changed("\"none\"", "\"octopus\"")).substr(0, 38), ":4: /accelerator: must be one of auto,");
+    EXPECT_EQ(error_of(changed("\"ambient\"", "\"ambiant\"")).substr(0, 48), ":6: /ambiant: unknown key; known here: ambient, ");
+    EXPECT_EQ(error_of(changed("0.25", "1e39")), ":6: /ambient: must be within the range of a float, got 1e+39");
+    EXPECT_EQ(error_of(changed("0.25", "1e400")).substr(0, 22), ":6: number overflow pa");
+}
+
+TEST(Native, RefusesBadCameras) {
+    EXPECT_EQ(error_of("{}"), ":1: needs either \"camera\" or \"cameras\"");
+    EXPECT_EQ(error_of(R"({"cameras": []})"), ":1: /cameras: must not be empty");
+    EXPECT_EQ(error_of(changed("[0, 0, 0], \"up\"", "[0, 0, 5], \"up\"")), ":7: /camera/at: must differ from \"from\"");
+    EXPECT_EQ(error_of(changed("[0, 2, 0]", "[0, 0, -2]")), ":7: /camera/up: must not be parallel to the view from \"from\" to \"at\"");
+    EXPECT_EQ(error_of(changed("[0, 2, 0]", "[0, 0, 0]")), ":7: /camera/up: must not be zero");
+    EXPECT_EQ(error_of(changed("90", "180")), ":7: /camera/fov: must be below 180 degrees");
+    EXPECT_EQ(error_of(changed("90", "0")), ":7: /camera/fov: must be positive, got 0");
+    EXPECT_EQ(error_of(changed("[\"water\"]", "[\"wine\"]")), ":7: /camera/inside: there is no material \"wine\"");
+    EXPECT_EQ(error_of(changed("[\"water\"]", "[\"grey\"]")), ":7: /camera/inside: material \"grey\" is not transparent");
+    EXPECT_EQ(
+        error_of(
+            "{\"cameras\": [{\"name\": \"a\", \"from\": [1, 0, 0], \"at\": [0, 0, 0]},\n{\"name\": \"a\", \"from\": [1, 0, 0], \"at\": [0, 0, 0]}]}"),
+        ":2: /cameras/1/name: \"a\" is the name of an earlier one");
+}
+
+TEST(Native, RefusesBadMaterials) {
+    EXPECT_EQ(error_of(changed("\"grey\", \"type\"", "\"water\", \"type\"")), ":10: /materials/1/name: \"water\" is the name of an earlier one");
+    EXPECT_EQ(error_of(changed("\"whitted\", \"diffuse\"", "\"glass\", \"diffuse\"")),
+              ":9: /materials/0/type: must be one of whitted, got \"glass\"");
+    EXPECT_EQ(error_of(changed(", \"type\": \"whitted\"}", "}")), ":10: /materials/1: \"type\" is missing");
+    EXPECT_EQ(error_of(changed("1.33", "0")), ":9: /materials/0/eta: must be positive, got 0");
+    EXPECT_EQ(error_of(changed("\"transmission\": 1", "\"transmission\": 1.5")), ":9: /materials/0/transmission: must be at most 1");
+    EXPECT_EQ(error_of(changed("\"priority\": 3", "\"priority\": 16777217")),
+              ":9: /materials/0/priority: must be a whole number from 0 to 16777216, got 16777217");
+}
+
+TEST(Native, RefusesBadLights) {
+    EXPECT_EQ(error_of(changed("\"intensity\": 10", "\"intensity\": -10")), ":12: /lights/0/intensity: must be not negative, got -10");
+    EXPECT_EQ(error_of(changed("\"intensity\": 10", "\"intensity\": 1, \"attenuation\": [0, 0, 0]")),
+              ":12: /lights/0/attenuation: must not be all zero, the intensity is divided by it");
+    EXPECT_EQ(error_of(changed("\"intensity\": 10", "\"intensity\": 1, \"attenuation\": [0, -1, 1]")),
+              ":12: /lights/0/attenuation: must not have negative parts");
+    EXPECT_EQ(error_of(changed("[0, -2, 0]", "[0, 0, 0]")), ":13: /lights/1/direction: must not be zero");
+}
+
+TEST(Native, RefusesBadObjects) {
+    EXPECT_EQ(error_of(changed("\"material\": \"grey\"", "\"material\": \"gray\"")),
+              ":15: /objects/0/material: must be one of water, grey, got \"gray\"");
+    EXPECT_EQ(error_of(changed("{\"type\": \"sphere\", \"material\": \"grey\"", "{\"type\": \"cube\", \"material\": \"grey\"")).substr(0, 37),
+              ":15: /objects/0/type: must be one of ");
+    EXPECT_EQ(error_of(changed("\"radius\": 1},", "\"radius\": -1},")), ":15: /objects/0/radius: must be not negative, got -1");
+    EXPECT_EQ(error_of(changed("\"radius\": 1},", "\"radios\": 1},")), ":15: /objects/0: \"radius\" is missing (is \"radios\" meant?)");
+    EXPECT_EQ(error_of(changed("\"radius\": 1},", "\"radius\": 1, \"colour\": 1},")).substr(0, 51),
+              ":15: /objects/0/colour: unknown key; known here: ce");
+    EXPECT_EQ(error_of(changed("\"center\": [0, 0, 0]", "\"center\": [0, 1e16, 0]")).substr(0, 39), ":15: /objects/0/center/1: must be at mo");
+    EXPECT_EQ(
+        error_of(
+            R"({"camera": {"from": [0, 0, 1], "at": [0, 0, 0]}, "objects": [{"type": "sphere", "material": "grey", "center": [0, 0, 0], "radius": 1}]})"),
+        ":1: /objects/0/material: the scene has no materials");
+}
+
+TEST(Native, RefusesWhatIsNoScene) {
+    EXPECT_EQ(error_of(""), ": is empty");
+    for (const char *text : {"null", "3", "\"scene\"", "[]", " ", "{", "}", "\xff\xfe", "\xef\xbb\xbf"}) EXPECT_NE(error_of(text), "") << text;
+    for (const char *key : {"film", "integrator", "accelerator", "background", "ambient", "camera", "cameras", "materials", "lights", "objects"}) {
+        const std::string error = error_of(std::string("{\n\"") + key + "\": false}");
+        EXPECT_EQ(error.substr(0, 5 + std::strlen(key)), std::string(":2: /") + key) << error;
+    }
+}
+
+TEST(Native, EveryTruncationIsRefused) {
+    const std::string text = small_scene;
+    for (std::size_t size = 0; size < text.size(); ++size) EXPECT_NE(error_of(text.substr(0, size)), "") << size;
+}
+
+TEST(Native, NoChangedByteCrashes) {
+    std::mt19937 random(1);
+    for (int i = 0; i < 2000; ++i) {
+        std::string text = small_scene;
+        for (int changes = 0; changes <= i % 3; ++changes) text[random() % text.size()] = static_cast<char>(random());
+        error_of(text);
+    }
+}
+
+}  // namespace
+}  // namespace brandung

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "scene/accelerators/accelerator.h"
+#include "scene/bsdfs/bsdf.h"
+#include "scene/lights/light.h"
+#include "tests/scene/formats/temporary_file.h"
+
+namespace brandung {
+namespace {
+
+class Schema : public testing::Test {
+protected:
+    nlohmann::json schema = nlohmann::json::parse(std::ifstream(BRANDUNG_SOURCE_DIR "/scene/formats/brandung.schema.json"));
+
+    /// The values of "type" that the alternatives of a definition name.
+    std::vector<std::string> types_of(const std::string &family) const {
+        std::vector<std::string> result;
+        for (const nlohmann::json &alternative : schema.at("definitions").at(family).at("oneOf")) {
+            const std::string name = alternative.at("$ref").get<std::string>().substr(std::strlen("#/definitions/"));
+            result.push_back(schema.at("definitions").at(name).at("properties").at("type").at("const"));
+        }
+        return result;
+    }
+    nlohmann::json defaults_of(const std::string &definition) const {
+        nlohmann::json result = nlohmann::json::object();
+        for (const auto &[key, property] : schema.at("definitions").at(definition).at("properties").items())
+            if (property.contains("default")) result[key] = property["default"];
+        return result;
+    }
+};
+
+template <class Kind> std::vector<std::string> names_of(const std::vector<Kind> &kinds) {
+    std::vector<std::string> result;
+    for (const Kind &kind : kinds) result.emplace_back(kind.name);
+    return result;
+}
+
+/// Records consist of 4-byte scalars, without gaps.
+template <class Record> std::vector<std::byte> bytes_of(const Record &record) {
+    const auto bytes = std::as_bytes(std::span(&record, 1));
+    return {bytes.begin(), bytes.end()};
+}
+
+TEST_F(Schema, NamesTheKindsThatTheReaderKnows) {
+    EXPECT_EQ(types_of("object"), names_of(shape_readers()));
+    EXPECT_EQ(types_of("material"), names_of(bsdf_kinds()));
+    EXPECT_EQ(types_of("light"), names_of(light_kinds()));
+    std::vector<std::string> accelerators = names_of(accelerator_kinds());
+    accelerators.insert(accelerators.begin(), "auto");
+    EXPECT_EQ(schema.at("properties").at("accelerator").at("enum").get<std::vector<std::string>>(), accelerators);
+}
+
+TEST_F(Schema, ItsDefaultsAreTheReaders) {
+    nlohmann::json bare = {{"camera", {{"from", {0, 0, 5}}, {"at", {0, 0, 0}}}},
+                           {"materials", {{{"name", "m"}, {"type", "whitted"}}}},
+                           {"lights", {{{"type", "point"}, {"position", {0, 0, 0}}, {"intensity", 1}}}}};
+    nlohmann::json full = bare;
+    full["film"] = defaults_of("film"), full["integrator"] = defaults_of("integrator");
+    full["camera"].update(defaults_of("camera")), full["materials"][0].update(defaults_of("whitted")), full["lights"][0].update(defaults_of("point"));
+    const Scene a = read_text(bare.dump()), b = read_text(full.dump());
+    EXPECT_EQ(bytes_of(a.film), bytes_of(b.film));
+    EXPECT_EQ(a.integrator.type, b.integrator.type);
+    EXPECT_EQ(a.integrator.max_depth, b.integrator.max_depth);
+    EXPECT_EQ(a.integrator.threshold, b.integrator.threshold);
+    EXPECT_EQ(a.cameras[0].up, b.cameras[0].up);
+    EXPECT_EQ(a.cameras[0].fov, b.cameras[0].fov);
+    EXPECT_EQ(bytes_of(a.materials[0].record), bytes_of(b.materials[0].record));
+    EXPECT_EQ(bytes_of(a.lights[0]), bytes_of(b.lights[0]));
+}
+
+}  // namespace
+}  // namespace brandung
