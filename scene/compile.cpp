@@ -134,6 +134,7 @@ void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
         used_materials.push_back(material);
         compiled.reflects |= (material.flags & MATERIAL_REFLECTS) != 0;
         compiled.transmits |= (material.flags & MATERIAL_TRANSMITS) != 0;
+        compiled.highlights |= (material.flags & MATERIAL_HIGHLIGHT) != 0;
         transparent += (material.flags & MATERIAL_TRANSMITS) != 0;
     }
     while (compiled.interior_size < std::min(transparent, 8u)) compiled.interior_size = std::max(1u, 2 * compiled.interior_size);

@@ -2,7 +2,9 @@
 #pragma once
 #include "generated/bsdfs.cl"
 #include "kernels/bsdfs/bsdf.h"
+#include "generated/constants.h"
 #include "kernels/core/items.cl"
+#include "kernels/core/math.cl"
 #include "kernels/core/scene.h"
 
 FUNCTION Split where(int c, Split a, Split b) {
@@ -19,13 +21,29 @@ FUNCTION Spectrum bsdf_ambient(const global Material *m) {
     return result;
 }
 
-/// Radiance towards `wo` per irradiance-free light from `wi` [1/sr], its cosine included; all unit vectors, away from the surface.
-FUNCTION Spectrum bsdf_local(const global Material *m, vec3 normal, vec3 wo, vec3 wi) {
-    Spectrum result = make3(0.0f, 0.0f, 0.0f);
-#define CASE(KIND, View, name) ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_local(m, normal, wo, wi), result);
+FUNCTION Phong where(int c, Phong a, Phong b) {
+    Phong r;
+    r.diffuse = where(c, a.diffuse, b.diffuse), r.specular = where(c, a.specular, b.specular), r.exponent = where(c, a.exponent, b.exponent);
+    return r;
+}
+
+FUNCTION Phong bsdf_phong(const global Material *m) {
+    Phong result = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, 1.0f};
+#define CASE(KIND, View, name) ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_phong(m), result);
     FOR_EACH_BSDF(CASE)
 #undef CASE
     return result;
+}
+
+/// (kd N·L + ks (V·R)^n) / π [1/sr] of light from `wi` towards `wo`: with diffuse reflectance ρ, a surface under irradiance E has radiance ρE/π.
+FUNCTION Spectrum phong_local(Phong phong, vec3 normal, vec3 wo, vec3 wi) {
+    const float cosine = dot3(normal, wi);
+    Spectrum value = scaled(phong.diffuse, cosine);
+    if (HIGHLIGHTS) {
+        const float mirrored = maximum(2.0f * cosine * dot3(normal, wo) - dot3(wi, wo), 0.0f);
+        value = plus(value, scaled(phong.specular, power(minimum(mirrored, 1.0f), phong.exponent)));
+    }
+    return where(cosine > 0.0f, scaled(value, 0.318309886f), make3(0.0f, 0.0f, 0.0f));
 }
 
 FUNCTION Split bsdf_split(const global Material *m, float cosine, float cosine_squared_beyond, float eta) {

@@ -6,3 +6,9 @@
 typedef struct {
     Spectrum reflected, refracted;
 } Split;
+
+/// Phong's model, as Whitted's integrator lights a surface with it.
+typedef struct {
+    Spectrum diffuse, specular;  ///< reflectances
+    float exponent;              ///< of the highlight
+} Phong;

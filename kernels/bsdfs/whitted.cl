@@ -3,7 +3,6 @@
 #include "kernels/bsdfs/bsdf.h"
 #include "kernels/bsdfs/whitted.h"
 #include "kernels/core/load.cl"
-#include "kernels/core/math.cl"
 #include "kernels/core/refraction.cl"
 #include "kernels/core/scene.h"
 
@@ -18,14 +17,11 @@ FUNCTION Whitted whitted_view(const global Material *m) {
 /// Reflectance of ambient light.
 FUNCTION Spectrum whitted_ambient(const global Material *m) { return whitted_view(m).ambient; }
 
-/// (kd N·L + ks (V·R)^n) / π [1/sr] of light from `wi` towards `wo`: with diffuse reflectance ρ, a surface under irradiance E has radiance ρE/π.
-FUNCTION Spectrum whitted_local(const global Material *m, vec3 normal, vec3 wo, vec3 wi) {
+FUNCTION Phong whitted_phong(const global Material *m) {
     const Whitted w = whitted_view(m);
-    const float cosine = dot3(normal, wi);
-    const float mirrored = maximum(2.0f * cosine * dot3(normal, wo) - dot3(wi, wo), 0.0f);
-    const float highlight = power(minimum(mirrored, 1.0f), w.exponent);
-    const Spectrum value = plus(scaled(w.diffuse, cosine), scaled(w.specular, highlight));
-    return where(cosine > 0.0f, scaled(value, 0.318309886f), make3(0.0f, 0.0f, 0.0f));
+    Phong phong;
+    phong.diffuse = w.diffuse, phong.specular = w.specular, phong.exponent = w.exponent;
+    return phong;
 }
 
 /// At total internal reflection the reflected ray carries both weights, or with Fresnel's law its own.

@@ -20,6 +20,7 @@ typedef struct {
 #define MATERIAL_TRANSMITS 2u
 #define MATERIAL_SPAWNS_ALWAYS 4u  ///< its rays are traced at weight 0 too
 #define MATERIAL_LIT 8u            ///< light from lights can be seen on it
+#define MATERIAL_HIGHLIGHT 16u     ///< as a highlight too
 
 /// A surface's material; 128 bytes. `words` is the kind's own.
 typedef struct {

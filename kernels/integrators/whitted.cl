@@ -100,6 +100,11 @@ kernel void spawn_shadow_rays(SCENE_PARAMS, uint first_light, uint stride, uint 
     }
 }
 
+/// Columns of a chunk: what is needed once per light is fetched once per hit.
+typedef struct {
+    float diffuse[3][ITEMS_PER_WORK_ITEM], specular[3][ITEMS_PER_WORK_ITEM], exponent[ITEMS_PER_WORK_ITEM], sum[3][ITEMS_PER_WORK_ITEM];
+} ShadeColumns;
+
 /// contributions[i]: what hit i adds to its sample by the `lights` lights of this block whose visible[row * stride + i] is set; the first
 /// block also brings what needs no light: background, emission, ambient light.
 kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint lights, uint stride, const global Path *restrict paths,
@@ -108,29 +113,45 @@ kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint ligh
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     const Spectrum background = scene.header->background, ambient = scene.header->ambient, black = make3(0.0f, 0.0f, 0.0f);
+    const uint begin = get_global_id(0) * ITEMS_PER_WORK_ITEM;
+    ShadeColumns columns;
     {
         FOR_EACH_ITEM(i, count) {
-            const SurfacePoint surface = load(points + i);
-            const global Material *material = materials + surface.material;
+            const uint flags = points[i].flags;
+            const global Material *material = materials + points[i].material;
             const Spectrum own = plus(load(&material->emission), times(ambient, bsdf_ambient(material)));
-            const Spectrum unlit = where((surface.flags & SURFACE_HIT) != 0u, where((surface.flags & SURFACE_PASSES) != 0u, black, own), background);
-            contributions[i] = where(first_light == 0u, unlit, black);
+            const Spectrum unlit = where((flags & SURFACE_HIT) != 0u, where((flags & SURFACE_PASSES) != 0u, black, own), background);
+            const Spectrum sum = where(first_light == 0u, unlit, black);
+            const Phong phong = bsdf_phong(material);
+            const uint c = i - begin;
+            columns.sum[0][c] = sum.x, columns.sum[1][c] = sum.y, columns.sum[2][c] = sum.z;
+            columns.diffuse[0][c] = phong.diffuse.x, columns.diffuse[1][c] = phong.diffuse.y, columns.diffuse[2][c] = phong.diffuse.z;
+            columns.specular[0][c] = phong.specular.x, columns.specular[1][c] = phong.specular.y, columns.specular[2][c] = phong.specular.z;
+            columns.exponent[c] = phong.exponent;
         }
     }
     for (uint row = 0u; row < lights; ++row) {
         const Light light = SCENE_ARRAY(scene, Light, lights)[first_light + row];
         const global uchar *row_visible = visible + row * stride;
         FOR_EACH_ITEM(i, count) {
+            const uint c = i - begin;
+            Phong phong;
+            phong.diffuse = make3(columns.diffuse[0][c], columns.diffuse[1][c], columns.diffuse[2][c]);
+            phong.specular = make3(columns.specular[0][c], columns.specular[1][c], columns.specular[2][c]);
+            phong.exponent = columns.exponent[c];
             const SurfacePoint surface = load(points + i);
             const LightSample sample = light_sample(light, surface.origin);
-            const Spectrum value = bsdf_local(materials + surface.material, surface.normal, load(directions + i), sample.direction);
-            const Spectrum before = load(contributions + i);
-            const Spectrum sum = plus(before, times(value, sample.irradiance));
-            contributions[i] = where(row_visible[i] != 0, sum, before);
+            const Spectrum value = times(phong_local(phong, surface.normal, load(directions + i), sample.direction), sample.irradiance);
+            const bool lit = row_visible[i] != 0;
+            columns.sum[0][c] += lit ? value.x : 0.0f, columns.sum[1][c] += lit ? value.y : 0.0f, columns.sum[2][c] += lit ? value.z : 0.0f;
         }
     }
     {
         const global uint *list = live + first;
-        FOR_EACH_ITEM(i, count) { contributions[i] = times(load(contributions + i), load(&paths[list[i]].throughput)); }
+        FOR_EACH_ITEM(i, count) {
+            const uint c = i - begin;
+            const Spectrum sum = make3(columns.sum[0][c], columns.sum[1][c], columns.sum[2][c]);
+            contributions[i] = times(sum, load(&paths[list[i]].throughput));
+        }
     }
 }

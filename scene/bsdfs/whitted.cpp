@@ -23,7 +23,8 @@ Material make_material(const Whitted &whitted) {
     Material material{};
     material.kind = kind_number(bsdf_kinds(), "whitted");
     material.flags = (any_positive(whitted.reflection) ? MATERIAL_REFLECTS : 0) | (any_positive(whitted.transmission) ? MATERIAL_TRANSMITS : 0) |
-                     (any_positive(whitted.diffuse) || any_positive(whitted.specular) ? MATERIAL_LIT : 0);
+                     (any_positive(whitted.diffuse) || any_positive(whitted.specular) ? MATERIAL_LIT : 0) |
+                     (any_positive(whitted.specular) ? MATERIAL_HIGHLIGHT : 0);
     material.eta = 1;
     write_words(whitted, material.words);
     return material;

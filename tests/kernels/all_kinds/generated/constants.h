@@ -2,3 +2,4 @@
 #pragma once
 #define BRANCHING 2u
 #define INTERIOR_SIZE 4u
+#define HIGHLIGHTS 1
