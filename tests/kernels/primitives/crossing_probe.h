@@ -1,0 +1,188 @@
+/// A kind's crossing function on pairs of one primitive and one ray, at every width, and the rays that leave from its hits.
+#pragma once
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "kernels/core/items.h"
+#include "kernels/core/scene.h"
+#include "kernels/primitives/surface.h"
+#include "scene/primitives/shape.h"
+#include "tests/support/probe.h"
+
+namespace brandung {
+
+/// What `<kind>_crossing` gives.
+struct CrossingResult {
+    float t, u, v;
+    uint hit;
+};
+
+/// A hit's surface, the origin of the ray that leaves it in a given direction, and where that ray meets the same primitive.
+struct SpawnResult {
+    CrossingResult first, second;
+    Surface surface;
+    vec3 origin;
+};
+
+/// How often the 8 and 16 lanes' results differ from the scalar ones, and how many hits those were.
+struct WidthResult {
+    uint different_8, different_16, hits;
+};
+
+/// `Block` is the kind's block of the arena.
+template <class Block> class CrossingProbe {
+public:
+    /// Of primitives that are alone in their shapes.
+    CrossingProbe(const PrimitiveKind &kind, const std::vector<std::unique_ptr<Shape>> &shapes)
+        : lists_(lists_of(kind)), blocks_((shapes.size() + BLOCK_SIZE - 1) / BLOCK_SIZE), records_(shapes.size()), extents_(shapes.size()) {
+        std::memset(static_cast<void *>(blocks_.data()), 0xff, blocks_.size() * sizeof(Block));
+        SharedTables tables;
+        for (std::size_t i = 0; i < shapes.size(); ++i) {
+            Block &block = blocks_[i / BLOCK_SIZE];
+            block.primitive[i % BLOCK_SIZE] = uint(i);
+            shapes[i]->write_lane(0, uint(i % BLOCK_SIZE), reinterpret_cast<std::byte *>(&block));
+            shapes[i]->write_shading(0, records_[i].words, tables);
+            const Bounds bounds = shapes[i]->bounds(0);
+            const vec3 far = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
+            extents_[i] = std::max({far.x, far.y, far.z});
+        }
+    }
+
+    /// Result i is that of primitive i and ray i.
+    std::vector<CrossingResult> crossings(const std::vector<Ray> &rays) const {
+        return Probe(text() + R"(
+            kernel void probe(const global Block *blocks, const global float *extents, const global Ray *rays, global Result *results) {
+                const uint i = get_global_id(0);
+                results[i] = cross_one(blocks, i, rays[i], extents[i]);
+            })",
+                     lists_)
+            .template run<CrossingResult>(blocks_, extents_, rays);
+    }
+
+    /// Pairs as above; from each hit a ray leaves in directions[i].
+    std::vector<SpawnResult> spawned(const std::vector<Ray> &rays, const std::vector<vec3> &directions) const {
+        return Probe(text() + R"(
+#include "generated/primitive_surfaces.cl"
+#include "kernels/core/spawn.cl"
+            typedef struct { Result first, second; Surface surface; vec3 origin; } Spawned;
+            kernel void probe(const global Block *blocks, const global ShadingRecord *records, const global float *extents, const global Ray *rays,
+                              const global vec3 *directions, global Spawned *results) {
+                const uint i = get_global_id(0);
+                const Scene scene = {0, 0};
+                const Ray ray = rays[i];
+                results[i].first = cross_one(blocks, i, ray, extents[i]);
+                if (!results[i].first.hit) return;
+                Hit hit;
+                hit.t = results[i].first.t, hit.u = results[i].first.u, hit.v = results[i].first.v, hit.primitive = i;
+                const Surface surface = NAME(surface)(scene, records + i, ray, hit);
+                const float side = dot3(surface.geometric, directions[i]) < 0.0f ? -1.0f : 1.0f;
+                const vec3 offset = scaled(surface.geometric, side * dot3(absolute(surface.geometric), surface.error));
+                const Ray next = ray_spawn(spawn_origin(surface.p, offset), directions[i], RAY_REFLECTED);
+                results[i].surface = surface;
+                results[i].origin = next.origin;
+                results[i].second = cross_one(blocks, i, next, extents[i]);
+            })",
+                     lists_)
+            .template run<SpawnResult>(blocks_, records_, extents_, rays, directions);
+    }
+
+    /// Every ray of 16 neighbours against the block of the first one's primitive.
+    WidthResult compare_widths(const std::vector<Ray> &rays) const {
+        const std::vector<WidthResult> results = Probe(text() + R"(
+            typedef struct { uint different_8, different_16, hits; } Widths;
+            uint differs(Result a, Result b) {
+                return a.hit != b.hit || (a.hit && (as_uint(a.t) != as_uint(b.t) || as_uint(a.u) != as_uint(b.u) || as_uint(a.v) != as_uint(b.v)));
+            }
+            kernel void probe(const global Block *blocks, const global float *extents, const global Ray *rays, const global uint *packets,
+                              global Widths *widths) {
+                if (get_global_id(0) >= *packets) return;
+                const uint first = get_global_id(0) * 16u, block = first / BLOCK_SIZE;
+                const float extent = extents[first];
+                Result scalar[16][8];
+                uint axes[16];
+                Widths w = {0u, 0u, 0u};
+                for (uint r = 0u; r < 16u; ++r) {
+                    const Ray ray = rays[first + r];
+                    axes[r] = major_axis(ray.direction);
+                    const crossing_x8 c = NAME(crossing)(blocks + block, 0u, prepare(ray, extent));
+                    float t[8], u[8], v[8];
+                    int hit[8];
+                    vstore8(c.t, 0, t), vstore8(c.u, 0, u), vstore8(c.v, 0, v), vstore8(c.hit, 0, hit);
+                    for (uint j = 0u; j < 8u; ++j) {
+                        scalar[r][j] = cross_one(blocks, block * 8u + j, ray, extent);
+                        const Result of_8 = {t[j], u[j], v[j], hit[j] != 0};
+                        w.different_8 += differs(scalar[r][j], of_8);
+                        w.hits += scalar[r][j].hit;
+                    }
+                }
+                for (uint axis = 0u; axis < 3u; ++axis) {
+                    float o[3][16], d[3][16], t_max[16];
+                    for (uint r = 0u; r < 16u; ++r) {
+                        const Ray ray = rays[first + r];
+                        o[0][r] = ray.origin.x, o[1][r] = ray.origin.y, o[2][r] = ray.origin.z;
+                        d[0][r] = ray.direction.x, d[1][r] = ray.direction.y, d[2][r] = ray.direction.z;
+                        t_max[r] = axes[r] == axis ? ray.t_max : -1.0f;
+                    }
+                    const ray_x16 ray = lane_ray(make3(vload16(0, o[0]), vload16(0, o[1]), vload16(0, o[2])),
+                                                 make3(vload16(0, d[0]), vload16(0, d[1]), vload16(0, d[2])), vload16(0, t_max), axis, extent);
+                    for (uint j = 0u; j < 8u; ++j) {
+                        const crossing_x16 c = NAME(crossing)(blocks + block, j, ray);
+                        float t[16], u[16], v[16];
+                        int hit[16];
+                        vstore16(c.t, 0, t), vstore16(c.u, 0, u), vstore16(c.v, 0, v), vstore16(c.hit, 0, hit);
+                        for (uint r = 0u; r < 16u; ++r) {
+                            const Result of_16 = {t[r], u[r], v[r], hit[r] != 0};
+                            w.different_16 += axes[r] == axis ? differs(scalar[r][j], of_16) : of_16.hit;
+                        }
+                    }
+                }
+                widths[get_global_id(0)] = w;
+            })",
+                                                       lists_)
+                                                     .template run<WidthResult>(blocks_, extents_, rays, uint(rays.size() / 16));
+        WidthResult sum{};
+        for (std::size_t i = 0; i < rays.size() / 16; ++i)
+            sum.different_8 += results[i].different_8, sum.different_16 += results[i].different_16, sum.hits += results[i].hits;
+        return sum;
+    }
+
+    const std::vector<Block> &blocks() const { return blocks_; }
+
+private:
+    static Sources lists_of(const PrimitiveKind &kind) {
+        const std::string name = kind.name, path = "#include \"kernels/primitives/" + name;
+        return {
+            {"generated/primitives.cl", "#pragma once\n" + path + ".h\"\n#define FOR_EACH_PRIMITIVE(X) X(0, " + kind.record + ", " + name + ")\n"},
+            {"generated/primitive_hits.cl", path + "_hit.cl\"\n"},
+            {"generated/primitive_surfaces.cl", "#pragma once\n" + path + ".cl\"\n"},
+            {"kind.h", std::string("#define NAME(function) ") + name + "_##function\ntypedef " + kind.record + "Block Block;\n"}};
+    }
+
+    static std::string text() {
+        return R"(#include "kernels/accelerators/leaf.cl"
+#include "kernels/core/lanes_1.cl"
+#define LaneRay ray_x1
+#define Crossing crossing_x1
+#include "kernels/core/lane_ray.cl"
+#include "generated/primitive_hits.cl"
+#undef LaneRay
+#undef Crossing
+#include "kind.h"
+            typedef struct { float t, u, v; uint hit; } Result;
+            FUNCTION Result cross_one(const global Block *blocks, uint i, Ray ray, float extent) {
+                const ray_x1 lane = lane_ray(ray.origin, ray.direction, ray.t_max, major_axis(ray.direction), extent);
+                const crossing_x1 c = NAME(crossing)(blocks + i / BLOCK_SIZE, i % BLOCK_SIZE, lane);
+                const Result result = {c.t, c.u, c.v, c.hit != 0};
+                return result;
+            }
+)";
+    }
+
+    Sources lists_;
+    std::vector<Block> blocks_;
+    std::vector<ShadingRecord> records_;
+    std::vector<float> extents_;
+};
+
+}  // namespace brandung
