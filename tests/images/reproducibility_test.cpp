@@ -1,0 +1,183 @@
+/// The same bits, however the work is cut up.
+#include <gtest/gtest.h>
+
+#include "scene/bsdfs/bsdf.h"
+#include "scene/lights/light.h"
+#include "tests/images/oracle.h"
+#include "tests/support/probe.h"
+#include "tests/support/rendering.h"
+#include "tests/support/scenes.h"
+
+namespace {
+
+using namespace brandung;
+
+/// Every kind of primitive, material and light: matte, mirror and glass between coloured lights.
+Scene scene_of_everything(uint width, uint height, uint spp) {
+    Scene scene;
+    scene.file = "everything";
+    CameraDescription camera;
+    camera.from = {0.2f, 0.4f, 3}, camera.at = {0, 0, 0}, camera.fov = glm::radians(45.0f);
+    scene.cameras.push_back(camera);
+    scene.film.width = width, scene.film.height = height, scene.film.spp = spp, scene.film.seed = 5;
+    scene.background = {0.1f, 0.3f, 0.7f}, scene.ambient = Spectrum(0.05f);
+    scene.integrator.max_depth = 5;
+    Material shiny = make_material(
+        Whitted{.ambient = Spectrum(0.3f), .diffuse = {0.6f, 0.3f, 0.1f}, .specular = Spectrum(0.4f), .reflection = Spectrum(0.3f), .exponent = 30});
+    const uint matte_one = add_material(scene, matte(0.7f)), glass_one = add_material(scene, glass(1.5f)), shiny_one = add_material(scene, shiny);
+    add_soup(scene, matte_one, {.spheres = 30, .triangles = 60, .smooth_triangles = 60, .frusta = 40, .size = 0.3f, .seed = 1});
+    add_soup(scene, glass_one, {.spheres = 10, .triangles = 10, .smooth_triangles = 10, .frusta = 10, .size = 0.5f, .seed = 2});
+    add_soup(scene, shiny_one, {.spheres = 20, .triangles = 40, .smooth_triangles = 40, .frusta = 30, .size = 0.4f, .seed = 3});
+    scene.lights.push_back(point_light({2, 3, 2}, {9, 8, 7}));
+    scene.lights.push_back(directional_light({-1, 1, 0.5f}, {0.5f, 0.6f, 0.9f}));
+    return scene;
+}
+
+/// What a render must repeat.
+struct Result {
+    std::uint64_t hash;
+    std::array<std::uint64_t, RAY_KINDS> rays, hits;
+    bool operator==(const Result &) const = default;
+};
+std::ostream &operator<<(std::ostream &out, const Result &result) {
+    out << "film " << std::hex << result.hash << std::dec;
+    for (uint kind = 0; kind < RAY_KINDS; ++kind) out << ", " << result.rays[kind] << " rays with " << result.hits[kind] << " hits";
+    return out;
+}
+
+Result render(const Scene &scene, uint batch = 65536) {
+    const Rendering rendering = render_scene(scene, {.batch = batch});
+    EXPECT_EQ(rendering.refused, 0u);
+    EXPECT_EQ(rendering.clamped, 0u);
+    return {film_hash(rendering.film), rendering.counts.rays, rendering.counts.hits};
+}
+
+/// On a device of its own, with so many threads.
+Result render_with_threads(const Scene &scene, uint threads) {
+    Device device = Device::select("", threads);
+    EXPECT_EQ(device.info().compute_units, threads);
+    const CompiledScene compiled = compile(scene);
+    const DeviceScene on_device(device, compiled);
+    Film film(device, scene.film.width, scene.film.height);
+    Renderer renderer(device, scene, compiled, on_device, scene.cameras.at(0), {});
+    renderer.render(film);
+    return {film_hash(film.read()), renderer.integrator().counts().rays, renderer.integrator().counts().hits};
+}
+
+}  // namespace
+
+TEST(SameBits, FromRunToRun) {
+    const Scene scene = scene_of_everything(64, 48, 4);
+    const Result once = render(scene);
+    EXPECT_EQ(once, render(scene));
+    EXPECT_GT(once.rays[RAY_REFLECTED], 1000u);
+    EXPECT_GT(once.rays[RAY_REFRACTED], 1000u);
+    EXPECT_GT(once.hits[RAY_SHADOW], 1000u);
+}
+
+TEST(SameBits, ForEveryBatchSizeAndAnyNumberOfSamples) {
+    for (const uint spp : {1u, 4u, 7u, 40u}) {
+        const Scene scene = scene_of_everything(61, 37, spp);  // no multiple of anything
+        const Result expected = render(scene);
+        for (const uint batch : {1000u, 262144u, spp < 10 ? 77u : 777u})
+            EXPECT_EQ(expected, render(scene, batch)) << spp << " samples, batch " << batch;
+    }
+}
+
+/// Every ray alone.
+TEST(SameBits, ForBatchesOfOneRay) {
+    const Scene scene = scene_of_everything(8, 6, 3);
+    const Result expected = render(scene);
+    for (const uint batch : {1u, 2u, 3u}) EXPECT_EQ(expected, render(scene, batch)) << "batch " << batch;
+}
+
+TEST(SameBits, ForOneThreadAndTwo) {
+    const Scene scene = scene_of_everything(64, 48, 4);
+    const Result expected = render(scene);
+    EXPECT_EQ(expected, render_with_threads(scene, 1));
+    if (test_device().info().compute_units >= 2) {
+        EXPECT_EQ(expected, render_with_threads(scene, 2));
+    }
+}
+
+TEST(SameBits, ForEveryAccelerator) {
+    Scene scene = scene_of_everything(64, 48, 2);
+    const Result expected = render(scene);
+    scene.accelerator = "none";
+    EXPECT_EQ(expected, render(scene));
+}
+
+TEST(SameBits, ForEveryPixelPosition) {
+    Scene scene = scene_of_everything(33, 21, 1);
+    std::vector<std::uint64_t> hashes;
+    for (const uint pixel : {PIXEL_CORNER, PIXEL_CENTER, PIXEL_RANDOM}) {
+        scene.film.pixel = pixel;
+        const Result expected = render(scene);
+        EXPECT_EQ(expected, render(scene, 100));
+        hashes.push_back(expected.hash);
+    }
+    EXPECT_NE(hashes[0], hashes[1]);
+    EXPECT_NE(hashes[1], hashes[2]);
+}
+
+class ManyLights : public testing::TestWithParam<uint> {};
+
+/// Lights come in blocks of 8. Each of n equal lights at one place brings 1 / n: one light's picture, whatever n.
+TEST_P(ManyLights, AddUpToOneAndAreTheSameForEveryBatch) {
+    const uint count = GetParam();
+    Scene scene = scene_of_everything(40, 30, 1);
+    scene.lights.assign(1, point_light({2, 3, 2}, Spectrum(8)));
+    const Rendering one = render_scene(scene);
+    scene.lights.assign(count, point_light({2, 3, 2}, Spectrum(8.0f / count)));
+    const Rendering many = render_scene(scene);
+    EXPECT_EQ(many.counts.rays[RAY_SHADOW], count * one.counts.rays[RAY_SHADOW]);
+    EXPECT_EQ(many.counts.hits[RAY_SHADOW], count * one.counts.hits[RAY_SHADOW]);
+    for (std::size_t i = 0; i < one.picture.size(); ++i)
+        for (int c = 0; c < 3; ++c) ASSERT_NEAR(many.picture[i][c], one.picture[i][c], 1e-6f * (1 + count + one.picture[i][c])) << "pixel " << i;
+    EXPECT_EQ(film_hash(many.film), render(scene, 1000).hash);
+    scene.accelerator = "none";
+    EXPECT_EQ(film_hash(many.film), render(scene).hash);
+}
+
+INSTANTIATE_TEST_SUITE_P(SameBits, ManyLights, testing::Values(2u, 7u, 8u, 9u, 16u, 20u),
+                         [](const auto &info) { return "Lights" + std::to_string(info.param); });
+
+/// Different lights in every block: each lights a matte floor from straight above with its own colour, and the sum is known.
+TEST(SameBits, EveryLightOfEveryBlockCountsOnce) {
+    Scene scene = scene_of_everything(16, 16, 1);
+    scene.shapes.clear(), scene.lights.clear();
+    scene.ambient = Spectrum(0);
+    scene.cameras[0].from = {0, 3, 0.1f}, scene.cameras[0].fov = glm::radians(20.0f);
+    add_triangle(scene, 0, {-8, 0, 8}, {8, 0, 8}, {0, 0, -16});
+    Spectrum sum(0);
+    for (uint i = 0; i < 20; ++i) {
+        const Spectrum irradiance(std::exp2(-static_cast<float>(i)), 1, static_cast<float>(i * i));
+        scene.lights.push_back(directional_light({0, 1, 0}, irradiance));
+        sum += irradiance;
+    }
+    const Rendering rendering = render_scene(scene);
+    EXPECT_EQ(rendering.counts.rays[RAY_SHADOW], 20u * 16 * 16);
+    for (const vec3 &pixel : rendering.picture)
+        for (int c = 0; c < 3; ++c) ASSERT_NEAR(pixel[c], sum[c] * 0.7L / oracle::pi, 1e-6L * sum[c]);
+}
+
+/// What the film holds of four samples: counts, and sums, halves and squares that four numbers can have.
+TEST(SameBits, FilmSumsFitTogether) {
+    const Scene scene = scene_of_everything(32, 24, 4);
+    const Rendering rendering = render_scene(scene);
+    for (std::size_t i = 0; i < rendering.film.size(); ++i) {
+        const FilmPixel &pixel = rendering.film[i];
+        ASSERT_EQ(pixel.count, 4u);
+        ASSERT_EQ(pixel.odd_count, 2u);
+        for (int c = 0; c < 3; ++c) {
+            ASSERT_EQ(rendering.picture[i][c], static_cast<float>(pixel.sum[c]) * 0x1p-32f / 4) << "develop is the mean";
+            // Cauchy and Schwarz: (sum of 4)² <= 4 times the sum of squares, and the halves are part of the whole.
+            const long double sum = static_cast<long double>(pixel.sum[c]);
+            const long double squares = static_cast<long double>(pixel.squares[c][0]) + static_cast<long double>(pixel.squares[c][1]) * 0x1p64L;
+            ASSERT_LE(sum * sum, 4 * squares * 1.0000001L) << "pixel " << i;
+            const long double odd = static_cast<long double>(pixel.odd[c]);
+            ASSERT_GE(sum * sum * 1.0000001L, squares) << "radiance is not negative";
+            ASSERT_TRUE(odd >= 0 && odd <= sum);
+        }
+    }
+}
