@@ -46,10 +46,11 @@ FUNCTION Spectrum phong_local(Phong phong, vec3 normal, vec3 wo, vec3 wi) {
     return where(cosine > 0.0f, scaled(value, 0.318309886f), make3(0.0f, 0.0f, 0.0f));
 }
 
-FUNCTION Split bsdf_split(const global Material *m, float cosine, float cosine_squared_beyond, float eta) {
+/// At an interface met at `cosine`; `total`: the material transmits, but there is total internal reflection.
+FUNCTION Split bsdf_split(const global Material *m, float cosine, float cosine_squared_beyond, float eta, bool total) {
     Split result = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
 #define CASE(KIND, View, name) \
-    ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_split(m, cosine, cosine_squared_beyond, eta), result);
+    ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_split(m, cosine, cosine_squared_beyond, eta, total), result);
     FOR_EACH_BSDF(CASE)
 #undef CASE
     return result;

@@ -25,10 +25,8 @@ FUNCTION Phong whitted_phong(const global Material *m) {
 }
 
 /// At total internal reflection the reflected ray carries both weights, or with Fresnel's law its own.
-FUNCTION Split whitted_split(const global Material *m, float cosine, float cosine_squared_beyond, float eta) {
+FUNCTION Split whitted_split(const global Material *m, float cosine, float cosine_squared_beyond, float eta, bool total) {
     const Whitted w = whitted_view(m);
-    const bool transmits = (m->flags & MATERIAL_TRANSMITS) != 0u;
-    const bool total = transmits & (cosine_squared_beyond < 0.0f);
     const float f = fresnel(cosine, cosine_squared_beyond, eta);
     const Spectrum black = make3(0.0f, 0.0f, 0.0f);
     Split split;

@@ -44,9 +44,9 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
 
         const float cosine = minimum(maximum(dot3(wo, normal), 0.0f), 1.0f);
         const float cosine_squared_beyond = refracted_cosine_squared(cosine, interface.eta);
-        const bool transmits = (material->flags & MATERIAL_TRANSMITS) != 0u;
+        const bool transmits = BRANCHING == 2u && (material->flags & MATERIAL_TRANSMITS) != 0u;
         const bool total = transmits & (cosine_squared_beyond < 0.0f);
-        const Split split = bsdf_split(material, cosine, cosine_squared_beyond, interface.eta);
+        const Split split = bsdf_split(material, cosine, cosine_squared_beyond, interface.eta, total);
 
         const Spectrum reflected = times(path.throughput, split.reflected);
         const vec3 mirrored = unit(minus(scaled(normal, 2.0f * cosine), wo));
@@ -142,7 +142,7 @@ kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint ligh
             const SurfacePoint surface = load(points + i);
             const LightSample sample = light_sample(light, surface.origin);
             const Spectrum value = times(phong_local(phong, surface.normal, load(directions + i), sample.direction), sample.irradiance);
-            const bool lit = row_visible[i] != 0;
+            const bool lit = (row_visible[i] != 0) & ((surface.flags & SURFACE_LIT) != 0u);  // reads the whole record: see SurfacePoint
             columns.sum[0][c] += lit ? value.x : 0.0f, columns.sum[1][c] += lit ? value.y : 0.0f, columns.sum[2][c] += lit ? value.z : 0.0f;
         }
     }

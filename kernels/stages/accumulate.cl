@@ -1,12 +1,23 @@
 // Sums of contributions in their samples, in fixed point: the order does not matter.
+#include "generated/constants.h"
 #include "kernels/core/items.cl"
+#include "kernels/core/lanes_1.cl"
 #include "kernels/core/scene.cl"
 #pragma OPENCL EXTENSION cl_khr_int64_base_atomics : enable
 
 /// In units of 2^-32, to the nearest; magnitudes beyond 2^30 are cut, so that a sample's sum cannot wrap.
-FUNCTION int64 fixed_point(float x) { return convert_long_sat_rte(clamp(x, -0x1p30f, 0x1p30f) * 0x1p32f); }
+FUNCTION int64 fixed_point(float x) { return (int64)rint(minimum(maximum(x, -0x1p30f), 0x1p30f) * 0x1p32f); }
 
-/// Adds contributions[i] to the sample of path live[first + i]; two items may have one sample. refused[0] counts what is not finite.
+/// Two items may have one sample only where rays branch.
+FUNCTION void add(global int64 *sum, int64 value) {
+    if (BRANCHING > 1u) {
+        atom_add(sum, value);
+    } else {
+        *sum += value;
+    }
+}
+
+/// Adds contributions[i] to the sample of path live[first + i]. refused[0] counts what is not finite.
 kernel void accumulate(LIVE_PARAMS, const global Path *restrict paths, const global Spectrum *restrict contributions,
                        global Sample *restrict samples, global uint *restrict refused) {
     FOR_EACH_ITEM_SERIALLY(i, count) {
@@ -16,8 +27,8 @@ kernel void accumulate(LIVE_PARAMS, const global Path *restrict paths, const glo
             continue;
         }
         global Sample *sample = samples + paths[live[first + i]].slot;
-        atom_add(&sample->sum[0], fixed_point(c.x));
-        atom_add(&sample->sum[1], fixed_point(c.y));
-        atom_add(&sample->sum[2], fixed_point(c.z));
+        add(&sample->sum[0], fixed_point(c.x));
+        add(&sample->sum[1], fixed_point(c.y));
+        add(&sample->sum[2], fixed_point(c.z));
     }
 }

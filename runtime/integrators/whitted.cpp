@@ -60,7 +60,7 @@ public:
           intersect_packets_(job.device, "kernels/stages/intersect_packets.cl", "intersect_packets", scene_.lists()),
           evaluate_(job.device, "kernels/stages/evaluate_surfaces.cl", "evaluate_surfaces", scene_.lists()),
           shade_(job.device, whitted_cl, "shade_whitted", scene_.lists()),
-          accumulate_(job.device, "kernels/stages/accumulate.cl", "accumulate", {}),
+          accumulate_(job.device, "kernels/stages/accumulate.cl", "accumulate", scene_.lists()),
           levels_(job.device, job.batch, branching_, branching_ == 0 ? 1 : params_.max_depth + params_.max_passes, job.compiled.interior_size),
           hits_(job.device, job.batch),
           points_(job.device, job.batch),
