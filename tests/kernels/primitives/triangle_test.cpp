@@ -1,0 +1,361 @@
+/// kernels/primitives/triangle.cl and triangle_crossing.cl against extended precision; closed meshes are watertight.
+#include "kernels/primitives/triangle.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+
+#include "tests/kernels/primitives/crossing_oracle.h"
+#include "tests/kernels/primitives/crossing_probe.h"
+#include "tests/support/scenes.h"
+#include "tests/support/traced_scene.h"
+
+namespace brandung {
+
+extern const PrimitiveKind triangle_kind;
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr std::size_t count = 100'000;
+
+using Triangle = std::array<vec3, 3>;
+
+std::unique_ptr<Shape> shape_of(const Triangle &t) { return make_triangle_mesh(0, MeshData{.positions = {t[0], t[1], t[2]}, .indices = {0, 1, 2}}); }
+
+CrossingProbe<TriangleBlock> probe_of(const std::vector<Triangle> &triangles) {
+    std::vector<std::unique_ptr<Shape>> shapes;
+    for (const Triangle &triangle : triangles) shapes.push_back(shape_of(triangle));
+    return {triangle_kind, shapes};
+}
+
+CrossingResult crossing(const Triangle &triangle, vec3 origin, vec3 direction, float t_max = infinity) {
+    return probe_of({triangle}).crossings({make_ray(origin, direction, t_max)})[0];
+}
+
+Vector normal_of(const Triangle &t) { return cross(Vector(t[1]) - Vector(t[0]), Vector(t[2]) - Vector(t[0])); }
+
+/// Distance from the origin to the segment from p to q.
+real distance_to_segment(Vector p, Vector q) {
+    const Vector along = q - p;
+    const real squared = dot(along, along), s = squared > 0 ? std::clamp(-dot(p, along) / squared, 0.0L, 1.0L) : 0;
+    return length(p + along * s);
+}
+
+/// t by the plane, inside or not by the projection along the ray; the kernel does both by sheared edge functions.
+///
+/// Rounding, with u = 2^-24 and M the largest coordinate of a vertex seen from the origin: a sheared coordinate is off by 6 u M (two differences,
+/// |shear| <= 1 and its product), so the ray passes a vertex at a distance that is off by 9 u M at most. Within that of an edge anything goes.
+/// z, which is t times the direction's largest component, is the mean of the vertices' z with weights that are right for such vertices to 8 u: the
+/// point lies in the true plane but for (9 + 16) u M, times the plane's slope, which is at most 1 / cosine; and the mean itself is off by 8 u M. A
+/// ray that begins in the plane, within rounding, doesn't meet it; the bound is four times the error, plus what Pharr et al. add.
+std::vector<Root> roots_of(const Triangle &triangle, const Ray &ray, real start_factor) {
+    const Vector d = ray.direction, o = ray.origin, n = normal_of(triangle);
+    const real d_length = length(d), u = unit_roundoff;
+    Vector seen[3] = {Vector(triangle[0]) - o, Vector(triangle[1]) - o, Vector(triangle[2]) - o};
+    real largest = 0;
+    for (const Vector &v : seen) largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    const real t = dot(seen[0], n) / dot(d, n), cosine = std::abs(dot(d, n)) / (d_length * length(n));
+    const real error = u * largest * (25 / cosine + 8 * std::sqrt(3.0L)) / d_length;
+
+    Vector across[3] = {seen[0], seen[1], seen[2]};
+    for (Vector &v : across) v = v - d * (dot(v, d) / dot(d, d));
+    real to_edges = distance_to_segment(across[0], across[1]);
+    to_edges = std::min({to_edges, distance_to_segment(across[1], across[2]), distance_to_segment(across[2], across[0])});
+    bool positive = true, negative = true;
+    for (int i = 0; i < 3; ++i) {
+        const real side = dot(d, cross(across[i], across[(i + 1) % 3]));
+        positive &= side >= 0, negative &= side <= 0;
+    }
+    const bool inside = positive || negative, near_edge = to_edges <= 9 * u * largest;
+    if (!(inside || near_edge) || !std::isfinite(t)) return {};
+    return {{t, error, inside && !near_edge && std::abs(t) > start_factor * error}};
+}
+
+/// What rounding explains of a ray's beginning in the triangle's plane: a few times the error of t.
+constexpr real start_factor = 16;
+
+struct Cases {
+    std::vector<Triangle> triangles;
+    std::vector<Ray> rays;
+};
+/// Triangles of three sizes with rays through, beside, from and along them; `thin` makes slivers of aspect up to 2^thin, `far` how many sizes away
+/// the origins are at most (in bits).
+Cases random_cases(uint seed, int offset_bits, int thin, int far) {
+    Random random(seed);
+    Cases cases;
+    while (cases.rays.size() < count) {
+        const float size = std::exp2(float(int(random.below(3)) - 1) * 20) * random.uniform(0.5f, 1);
+        const vec3 a = random.direction() * (size * std::exp2(random.uniform(-2, float(offset_bits))));
+        const vec3 b = a + random.direction() * size;
+        const vec3 c = a + (b - a) * random.uniform(0, 1) + random.direction() * (size * std::exp2(-random.uniform(0, float(thin))));
+        if (!shape_of({a, b, c})) continue;
+        const float s = random.uniform(-0.1f, 1.1f), t = random.uniform(-0.1f, 1.1f);
+        const vec3 target = a + (b - a) * s * (1 - t) + (c - a) * t;
+        const vec3 origin = target + random.direction() * (size * std::exp2(random.uniform(-4, float(far))));
+        const vec3 towards = random.below(8) == 0 ? random.direction() : vec3(glm::normalize(glm::dvec3(target) - glm::dvec3(origin)));
+        const vec3 direction = random.below(4) == 0 ? towards * std::exp2(random.uniform(-8, 8)) : towards;
+        if (!(glm::length(direction) > 0)) continue;
+        const float t_max = random.below(4) == 0 ? glm::length(target - origin) / glm::length(direction) : infinity;
+        cases.triangles.push_back({a, b, c});
+        cases.rays.push_back(make_ray(origin, direction, t_max));
+    }
+    return cases;
+}
+
+/// How many of the cases rounding doesn't explain.
+std::size_t unexplained(const Cases &cases, std::size_t &sure) {
+    const std::vector<CrossingResult> results = probe_of(cases.triangles).crossings(cases.rays);
+    std::size_t bad = 0;
+    for (std::size_t i = 0; i < cases.rays.size(); ++i) {
+        const std::vector<Root> roots = roots_of(cases.triangles[i], cases.rays[i], start_factor);
+        sure += sure_hits(roots, cases.rays[i].t_max);
+        const testing::AssertionResult result = explains(roots, results[i], cases.rays[i].t_max);
+        if (!result && ++bad <= 3) ADD_FAILURE() << "case " << i << ": " << result.message();
+    }
+    return bad;
+}
+
+const Triangle one = {vec3(-1, -1, 0), vec3(1, -1, 0), vec3(0, 1, 0)};
+
+TEST(Triangle, BothSidesAreMetWithWeightsOfBAndC) {
+    for (const float side : {1.0f, -1.0f}) {
+        const CrossingResult result = crossing(one, {0.25f, -0.5f, 2 * side}, {0, 0, -side});
+        ASSERT_TRUE(result.hit);
+        EXPECT_EQ(result.t, 2);
+        EXPECT_EQ(result.u, 0.5f);   // b: (0.25 + 1 - 2 v / 2) / 2 with v = 1/4
+        EXPECT_EQ(result.v, 0.25f);  // c: (-0.5 + 1) / 2
+    }
+}
+
+TEST(Triangle, NothingIsMetBehindBesideInThePlaneOrBeyondTheRaysEnd) {
+    EXPECT_FALSE(crossing(one, {0, 0, -1}, {0, 0, -1}).hit);
+    EXPECT_FALSE(crossing(one, {0, 1.001f, 1}, {0, 0, -1}).hit);
+    EXPECT_FALSE(crossing(one, {-5, 0, 0}, {1, 0, 0}).hit);
+    EXPECT_FALSE(crossing(one, {0, 0, 1}, {0, 0, -1}, 0.999f).hit);
+    EXPECT_TRUE(crossing(one, {0, 0, 1}, {0, 0, -1}, 1).hit);
+    EXPECT_FALSE(crossing(one, {0, 0, 0}, {0, 0, -1}).hit);
+}
+
+TEST(Triangle, CrossingsAreWhatRoundingExplains) {
+    for (const int offset_bits : {2, 10, 20}) {
+        std::size_t sure = 0;
+        EXPECT_EQ(unexplained(random_cases(uint(offset_bits), offset_bits, 3, 12), sure), 0u) << "offset 2^" << offset_bits;
+        EXPECT_GT(sure, count / 4) << "offset 2^" << offset_bits;
+    }
+}
+
+TEST(Triangle, CrossingsOfSliversAreWhatRoundingExplains) {
+    std::size_t sure = 0;
+    EXPECT_EQ(unexplained(random_cases(4, 2, 16, 10), sure), 0u);
+    EXPECT_GT(sure, count / 4);
+}
+
+TEST(Triangle, CrossingsOfTrianglesFarAwayAreWhatRoundingExplains) {
+    std::size_t sure = 0;
+    EXPECT_EQ(unexplained(random_cases(5, 2, 3, 19), sure), 0u);
+    EXPECT_GT(sure, count / 4);
+}
+
+TEST(Triangle, AllWidthsGiveTheSameBits) {
+    Random random(2);
+    std::vector<Triangle> triangles;
+    std::vector<Ray> rays;
+    while (rays.size() < count / 16 * 16) {
+        const float size = std::exp2(random.uniform(-20, 20));
+        const vec3 center = random.in_cube(16) * size;
+        for (int i = 0; i < 16; ++i) {
+            Triangle triangle;
+            do {
+                for (vec3 &vertex : triangle) vertex = center + random.in_cube(1) * size;
+            } while (!shape_of(triangle));
+            triangles.push_back(triangle);
+            const vec3 origin = center + random.in_cube(4) * size, target = center + random.in_cube(0.5f) * size;
+            rays.push_back(make_ray(origin, (target - origin) * std::exp2(random.uniform(-4, 4)), random.below(4) ? infinity : 1.0f));
+        }
+    }
+    const WidthResult result = probe_of(triangles).compare_widths(rays);
+    EXPECT_GT(result.hits, count / 2);
+    EXPECT_EQ(result.different_8, 0u);
+    EXPECT_EQ(result.different_16, 0u);
+}
+
+/// Stands for offset_bits: one vertex lies at the origin, and hits near it, where errors that follow the point's coordinates vanish.
+constexpr int at_the_origin = -1;
+
+class TriangleAtScale : public testing::TestWithParam<std::pair<float, int>> {};
+
+struct Spawned {
+    std::vector<Triangle> triangles;
+    std::vector<Ray> rays;
+    std::vector<vec3> directions;
+    std::vector<SpawnResult> results;
+};
+Spawned spawn_at(float scale, int offset_bits, uint seed) {
+    Random random(seed);
+    Spawned spawned;
+    while (spawned.rays.size() < count / 4) {
+        const bool at_origin = offset_bits == at_the_origin;
+        const vec3 a = at_origin ? vec3(0) : random.direction() * (scale * std::exp2(random.uniform(0, float(offset_bits))));
+        const vec3 b = a + random.direction() * scale, c = a + random.direction() * scale;
+        if (!shape_of({a, b, c})) continue;
+        const float near = at_origin ? std::exp2(random.uniform(-24, 0)) : 1, s = near * random.uniform(0, 1), t = near * random.uniform(0, 1 - s);
+        const vec3 target = a + (b - a) * s + (c - a) * t;
+        const vec3 origin = target + random.direction() * (scale * random.uniform(1, 100));
+        spawned.triangles.push_back({a, b, c});
+        spawned.rays.push_back(make_ray(origin, vec3(glm::normalize(glm::dvec3(target) - glm::dvec3(origin)))));
+        spawned.directions.push_back(random.direction());
+    }
+    spawned.results = probe_of(spawned.triangles).spawned(spawned.rays, spawned.directions);
+    return spawned;
+}
+
+/// The edges are rounded to u of their length, or exact; then n = e x f is off by 4 u |e| |f| in each component, however small |n| is,
+/// and its direction by 4 sqrt(3) u |e| |f| / |n|; unit() adds 4 u.
+TEST_P(TriangleAtScale, SurfacesLieWithinTheirErrorsAndFaceTheCounterclockwiseSide) {
+    const auto [scale, offset_bits] = GetParam();
+    const Spawned spawned = spawn_at(scale, offset_bits, 3);
+    std::size_t hits = 0;
+    for (std::size_t i = 0; i < spawned.results.size(); ++i) {
+        const SpawnResult &result = spawned.results[i];
+        if (!result.first.hit) continue;
+        ++hits;
+        const Triangle &triangle = spawned.triangles[i];
+        const Vector n = normal_of(triangle), e = Vector(triangle[1]) - Vector(triangle[0]), f = Vector(triangle[2]) - Vector(triangle[0]);
+        const Vector off = Vector(result.surface.p) - Vector(triangle[0]);
+        ASSERT_LE(std::abs(dot(off, unit(n))), dot(Vector(glm::abs(result.surface.geometric)), result.surface.error)) << i;
+        ASSERT_LE(length(Vector(result.surface.error)), 0x1p-19L * (length(Vector(triangle[0])) + 2 * scale)) << "the bound is no use if it is wide";
+        const real error = 12 * unit_roundoff * length(e) * length(f) / length(n) + 8 * unit_roundoff;
+        ASSERT_LE(length(Vector(result.surface.geometric) - unit(n)), error) << i;
+        ASSERT_EQ(result.surface.normal, result.surface.geometric);
+    }
+    EXPECT_GT(hits, count / 8);
+}
+
+TEST_P(TriangleAtScale, RaysThatLeaveItNeverMeetItAgain) {
+    const auto [scale, offset_bits] = GetParam();
+    const Spawned spawned = spawn_at(scale, offset_bits, 4);
+    std::size_t hits = 0;
+    for (std::size_t i = 0; i < spawned.results.size(); ++i) {
+        const SpawnResult &result = spawned.results[i];
+        if (!result.first.hit) continue;
+        ++hits;
+        const Vector n = unit(normal_of(spawned.triangles[i]));
+        const real side = dot(n, spawned.directions[i]);
+        const real height = dot(Vector(result.origin) - Vector(spawned.triangles[i][0]), n);
+        // Directions within the normal's own error of the plane have no side; a vertex at the origin is an exact point, from which nothing is moved.
+        if (std::abs(side) > 0x1p-12L && result.surface.error != vec3(0)) {
+            ASSERT_GT(height * side, 0) << "the origin lies on the side to which the ray leaves";
+        }
+        ASSERT_FALSE(result.second.hit) << i << ": cosine " << side << ", t " << result.second.t;
+    }
+    EXPECT_GT(hits, count / 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scales, TriangleAtScale,
+                         testing::Values(std::pair{1e-6f, 2}, std::pair{1.0f, 2}, std::pair{1e6f, 2}, std::pair{1.0f, 10}, std::pair{1e-6f, 20},
+                                         std::pair{1.0f, at_the_origin}, std::pair{1.0f, 20}, std::pair{1e6f, 20}));
+
+/// A closed mesh and points inside it.
+struct Closed {
+    const char *name;
+    MeshData mesh;
+    vec3 center;
+    float radius;  ///< of a ball inside, about the center
+};
+void PrintTo(const Closed &closed, std::ostream *out) { *out << closed.name; }
+
+/// Octahedron, its faces split in four `levels` times; then affine.
+Closed ball(const char *name, uint levels, vec3 scale, vec3 center, float radius) {
+    std::vector<vec3> p = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    std::vector<uint> faces = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+    for (uint level = 0; level < levels; ++level) {
+        std::map<std::pair<uint, uint>, uint> middles;
+        const auto middle = [&](uint a, uint b) {
+            const auto [entry, is_new] = middles.try_emplace(std::minmax(a, b), uint(p.size()));
+            if (is_new) p.push_back(glm::normalize(p[a] + p[b]));
+            return entry->second;
+        };
+        std::vector<uint> finer;
+        for (std::size_t i = 0; i < faces.size(); i += 3) {
+            const uint a = faces[i], b = faces[i + 1], c = faces[i + 2], ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+            finer.insert(finer.end(), {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca});
+        }
+        faces = finer;
+    }
+    for (vec3 &v : p) v = center + v * scale;
+    return {name, MeshData{.positions = p, .indices = faces}, center, radius};
+}
+
+/// A drum with `sides` sides whose lids are fans from one rim vertex: slivers.
+Closed drum(const char *name, uint sides) {
+    MeshData mesh;
+    for (uint i = 0; i < sides; ++i)
+        for (const float z : {-1.0f, 1.0f}) {
+            const double angle = 2 * 3.14159265358979 * i / sides;
+            mesh.positions.push_back({float(std::cos(angle)), float(std::sin(angle)), z});
+        }
+    for (uint i = 0; i < sides; ++i) {
+        const uint a = 2 * i, b = 2 * ((i + 1) % sides);
+        mesh.indices.insert(mesh.indices.end(), {a, b, a + 1, b, b + 1, a + 1});
+        if (i > 0 && i + 1 < sides) mesh.indices.insert(mesh.indices.end(), {0, b, a, 1, a + 1, b + 1});
+    }
+    return {name, mesh, vec3(0), 0.5f};
+}
+
+/// A ball with a vertex on every face's first edge, moved into the face by `width` of the edge's length: what is left at the edge is a needle.
+Closed needles(const char *name, float width) {
+    Closed closed = ball(name, 3, vec3(1), vec3(0), 0.9f);
+    std::vector<vec3> &p = closed.mesh.positions;
+    std::vector<uint> faces;
+    for (std::size_t i = 0; i < closed.mesh.indices.size(); i += 3) {
+        const uint a = closed.mesh.indices[i], b = closed.mesh.indices[i + 1], c = closed.mesh.indices[i + 2], m = uint(p.size());
+        const vec3 middle = 0.5f * (p[a] + p[b]);
+        p.push_back(middle + width * (p[c] - middle));
+        faces.insert(faces.end(), {a, m, c, m, b, c, a, b, m});
+    }
+    closed.mesh.indices = faces;
+    return closed;
+}
+
+class Watertight : public testing::TestWithParam<Closed> {};
+
+TEST_P(Watertight, EveryRayFromInsideMeetsAClosedMesh) {
+    const Closed &closed = GetParam();
+    Scene scene;
+    add_material(scene, matte(1));
+    add_triangle_mesh(scene, 0, closed.mesh);
+    EXPECT_TRUE(scene.warnings.empty());
+    TracedScene traced(scene, "wide_bvh");
+    Random random(1);
+    std::vector<Ray> rays;
+    const std::vector<uint> &indices = closed.mesh.indices;
+    while (rays.size() < 250'000) {
+        const vec3 origin = closed.center + random.in_cube(0.57f) * closed.radius;
+        const std::size_t triangle = random.below(uint(indices.size() / 3)) * 3;
+        const vec3 a = closed.mesh.positions[indices[triangle]], b = closed.mesh.positions[indices[triangle + 1]];
+        const vec3 c = closed.mesh.positions[indices[triangle + 2]];
+        const float s = random.uniform(0, 1), t = random.uniform(0, 1 - s);
+        const vec3 targets[3] = {a, a + (b - a) * s, a + (b - a) * s + (c - a) * t};
+        const vec3 target = targets[random.below(3)];
+        const vec3 direction = random.below(2) ? target - origin : vec3(glm::normalize(glm::dvec3(target) - glm::dvec3(origin)));
+        rays.push_back(make_ray(origin, direction));
+    }
+    std::size_t lost = 0;
+    const std::vector<Hit> hits = traced.closest_hits(rays);
+    for (std::size_t i = 0; i < hits.size(); ++i)
+        if (hits[i].primitive == NO_HIT && ++lost <= 2)
+            ADD_FAILURE() << std::hexfloat << "lost: origin " << rays[i].origin.x << ' ' << rays[i].origin.y << ' ' << rays[i].origin.z
+                          << ", direction " << rays[i].direction.x << ' ' << rays[i].direction.y << ' ' << rays[i].direction.z;
+    EXPECT_EQ(lost, 0u) << "of " << rays.size();
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, Watertight,
+                         testing::Values(ball("ball", 4, vec3(1), vec3(0), 0.9f), ball("small", 4, vec3(1e-3f), vec3(100, -50, 30), 0.9e-3f),
+                                         ball("flat", 4, vec3(1, 1, 0.01f), vec3(0), 0.009f), ball("fine", 7, vec3(1), vec3(0), 0.9f),
+                                         drum("drum", 32), drum("drum_of_slivers", 2048), needles("needles", 0x1p-20f)),
+                         [](const auto &info) { return info.param.name; });
+
+}  // namespace
+}  // namespace brandung
