@@ -20,9 +20,28 @@ uint rows_of_grid(uint spp) {
     return rows;
 }
 
-FilmSettings checked(const FilmSettings &film) {
-    if (film.pixel == PIXEL_CORNER && film.spp != 1) throw SceneError("pixel position 'corner' takes one sample per pixel, not " + std::to_string(film.spp));
-    return film;
+FilmSettings checked(const Scene &scene) {
+    if (scene.film.pixel == PIXEL_CORNER && scene.film.spp != 1)
+        throw SceneError(scene.file + ": /film/pixel: 'corner' takes one sample per pixel, not " + std::to_string(scene.film.spp));
+    return scene.film;
+}
+
+std::unique_ptr<Integrator> make_integrator(const IntegratorJob &job) {
+    try {
+        return find_integrator(job.scene.integrator.type).make(job);
+    } catch (const SceneError &error) {
+        throw SceneError(job.scene.file + ": " + error.what());
+    }
+}
+
+/// An entry per transparent material that the eye is in; entries beyond the list's size are left out.
+std::vector<uint> media_of_eye(const Scene &scene, const CompiledScene &compiled, const CameraDescription &camera) {
+    std::vector<uint> entries;
+    for (std::size_t m = 0; m < scene.materials.size(); ++m)
+        if (std::find(camera.inside.begin(), camera.inside.end(), scene.materials[m].name) != camera.inside.end())
+            entries.push_back(static_cast<uint>(m + 1) << 8 | 1u);
+    entries.resize(compiled.interior_size);
+    return entries;
 }
 
 }  // namespace
@@ -43,11 +62,12 @@ Camera make_camera(const CameraDescription &description, uint width, uint height
 Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &compiled, const DeviceScene &on_device, const CameraDescription &camera,
                    RenderOptions options)
     : device_(device),
-      film_settings_(checked(scene.film)),
+      film_settings_(checked(scene)),
       options_(std::move(options)),
       camera_(make_camera(camera, film_settings_.width, film_settings_.height)),
+      interior_(media_of_eye(scene, compiled, camera)),
       samples_per_batch_(std::min({film_settings_.spp, samples_at_once, options_.batch})),
-      integrator_(find_integrator(scene.integrator.type).make({device, scene, compiled, on_device, options_.batch})),
+      integrator_(make_integrator({device, scene, compiled, on_device, options_.batch})),
       pixels_(device, options_.batch / samples_per_batch_),
       samples_(device, options_.batch) {}
 
@@ -69,7 +89,7 @@ bool Renderer::render(Film &film) {
                                      .rows = rows,
                                      .seed = film_settings_.seed,
                                      .position = film_settings_.pixel};
-            const Batch batch{params, pixels_, camera_};
+            const Batch batch{params, pixels_, camera_, interior_};
             integrator_->render(batch, samples_);
             film.add(batch, samples_);
             device_.finish();

@@ -35,6 +35,7 @@ private:
     const FilmSettings film_settings_;
     RenderOptions options_;
     Camera camera_;
+    std::vector<uint> interior_;  ///< media that the eye is in
     uint samples_per_batch_;  ///< of one pixel
     std::unique_ptr<Integrator> integrator_;
     Buffer<uint> pixels_;

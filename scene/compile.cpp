@@ -13,6 +13,9 @@
 namespace brandung {
 namespace {
 
+/// Kernels read record 0 of an array where they have none to read.
+constexpr std::size_t largest_record = 256;
+
 /// Grows in records, each array at a multiple of 64 bytes.
 class Arena {
 public:
@@ -20,7 +23,7 @@ public:
 
     Span add(std::span<const std::byte> records, std::size_t count) {
         const std::size_t offset = (bytes_.size() + 63) / 64 * 64;
-        bytes_.resize(offset + std::max<std::size_t>(records.size(), 64));
+        bytes_.resize(offset + std::max(records.size(), largest_record));
         std::copy(records.begin(), records.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(offset));
         return {static_cast<uint>(offset / 64), static_cast<uint>(count)};
     }
@@ -154,6 +157,21 @@ CompiledScene compile(const Scene &scene) {
     compiled.header.background = scene.background;
     compiled.header.ambient = scene.ambient;
     return compiled;
+}
+
+/// FNV-1a.
+std::uint64_t scene_hash(const Scene &scene, const CompiledScene &compiled) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    const auto add = [&](std::span<const std::byte> bytes) {
+        for (const std::byte byte : bytes) hash = (hash ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001b3u;
+    };
+    add(std::as_bytes(std::span(&compiled.header, 1)));
+    add(compiled.arena);
+    for (const CameraDescription &camera : scene.cameras) {
+        for (const vec3 &v : {camera.from, camera.at, camera.up}) add(std::as_bytes(std::span(&v, 1)));
+        add(std::as_bytes(std::span(&camera.fov, 1)));
+    }
+    return hash;
 }
 
 }  // namespace brandung

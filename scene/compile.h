@@ -24,6 +24,9 @@ struct CompiledScene {
     double accelerator_seconds = 0;
 };
 
+/// A hash of what is seen: all that the kernels read of the scene, and its cameras.
+std::uint64_t scene_hash(const Scene &scene, const CompiledScene &compiled);
+
 /// Throws SceneError if the scene is too big, or names an unknown accelerator.
 CompiledScene compile(const Scene &scene);
 

@@ -211,7 +211,7 @@ std::string pointer_step(const std::string &key) {
 }
 
 void fail_at(const Document &document, const std::string &pointer, const std::string &why) {
-    const auto covers = [&](const std::string &assigned) { return is_at_or_below(pointer, assigned); };
+    const auto covers = [&](const std::string &assigned) { return is_at_or_below(pointer, assigned) || is_at_or_below(assigned, pointer); };
     if (std::any_of(document.assigned.begin(), document.assigned.end(), covers))
         throw SceneError(printable(document.file + ": " + pointer + " (set on the command line): " + why));
     std::optional<std::size_t> line;

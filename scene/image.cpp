@@ -1,12 +1,12 @@
 #include "scene/image.h"
 
 #include <OpenImageIO/imageio.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 
 #include "scene/error.h"
+#include "scene/output.h"
 
 namespace brandung {
 namespace {
@@ -36,22 +36,19 @@ std::unique_ptr<OIIO::ImageOutput> output_for(const std::string &file) {
     return output;
 }
 
-/// A name beside the file's own, with its extension, which tells OpenImageIO the format.
-std::string temporary_name(const std::string &file) { return file + "." + std::to_string(getpid()) + ".part" + extension_of(file); }
-
 bool takes_floats(const OIIO::ImageOutput &output) {
     const std::string format = output.format_name();
     return format == "openexr" || format == "hdr" || format == "tiff" || format == "pnm";
 }
 
-void write_pixels(OIIO::ImageOutput &output, const std::string &file, const Picture &picture, float exposure) {
+void write_pixels(OIIO::ImageOutput &output, const std::string &temporary, const std::string &file, const Picture &picture, float exposure) {
     const bool floats = takes_floats(output);
     OIIO::ImageSpec spec(static_cast<int>(picture.width), static_cast<int>(picture.height), 3, floats ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
     spec.attribute("oiio:ColorSpace", floats ? "Linear" : "sRGB");
     spec.attribute("compression", "zip");
     for (const auto &[name, value] : picture.metadata) spec.attribute(name, value);
     const auto failed = [&](const std::string &why) { return SceneError(file + ": cannot write the picture: " + why); };
-    if (!output.open(temporary_name(file), spec)) throw failed(output.geterror());
+    if (!output.open(temporary, spec)) throw failed(output.geterror());
     const bool written = floats ? output.write_image(OIIO::TypeDesc::FLOAT, picture.pixels.data())
                                 : output.write_image(OIIO::TypeDesc::UINT8, eight_bits(picture.pixels, exposure).data());
     const std::string why = output.geterror();
@@ -60,24 +57,13 @@ void write_pixels(OIIO::ImageOutput &output, const std::string &file, const Pict
 
 }  // namespace
 
-void check_writable(const std::string &file) {
+void check_picture_writable(const std::string &file) {
     output_for(file);
-    const fs::path folder = fs::absolute(file).parent_path();
-    if (!fs::is_directory(folder)) throw SceneError(file + ": cannot write there: '" + folder.string() + "' is not a folder");
-    if (fs::is_directory(file)) throw SceneError(file + ": cannot write there: it is a folder");
-    if (access(folder.c_str(), W_OK) != 0) throw SceneError(file + ": cannot write there: no permission for folder '" + folder.string() + "'");
+    check_writable(file);
 }
 
 void write_picture(const std::string &file, const Picture &picture, float exposure) {
-    const auto output = output_for(file);
-    try {
-        write_pixels(*output, file, picture, exposure);
-        fs::rename(temporary_name(file), file);
-    } catch (...) {
-        std::error_code ignored;
-        fs::remove(temporary_name(file), ignored);
-        throw;
-    }
+    write_complete(file, [&](const std::string &temporary) { write_pixels(*output_for(file), temporary, file, picture, exposure); });
 }
 
 }  // namespace brandung

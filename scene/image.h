@@ -16,7 +16,7 @@ struct Picture {
 };
 
 /// Throws SceneError if OpenImageIO knows no format of the file's extension, or the file could not be written there.
-void check_writable(const std::string &file);
+void check_picture_writable(const std::string &file);
 /// Formats of floats (EXR, HDR, TIFF, PFM) get radiance as it is, others 8 bits through `exposure` [EV] and the sRGB curve.
 /// The file appears under its name only when it is complete. Throws SceneError.
 void write_picture(const std::string &file, const Picture &picture, float exposure);

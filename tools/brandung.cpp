@@ -1,5 +1,6 @@
 /// brandung: the program and its subcommands.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 
 #include "brandung_version.h"
@@ -16,6 +17,12 @@ int main(int argc, char **argv) {
     brandung::add_render(app, status);
     brandung::add_info(app, status);
     brandung::add_devices(app, status);
+    const auto is_asked_for = [&](const CLI::App *command) { return command->check_name(argv[1]); };
+    const auto commands = app.get_subcommands([](const CLI::App *) { return true; });
+    if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_asked_for)) {
+        std::cerr << "brandung: there is no subcommand '" << argv[1] << "' (see --help)\n";
+        return 2;
+    }
     try {
         app.parse(argc, argv);
         return status;

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <fstream>
 #include <memory>
 
 #include "brandung_version.h"
@@ -12,6 +11,7 @@
 #include "scene/error.h"
 #include "scene/formats/format.h"
 #include "scene/image.h"
+#include "scene/output.h"
 #include "tools/commands.h"
 #include "tools/progress.h"
 #include "tools/report.h"
@@ -67,18 +67,12 @@ void print_warnings(const Scene &scene) {
     for (const auto &[text, count] : scene.warnings) fmt::print(stderr, "warning: {}{}\n", text, count > 1 ? fmt::format(" ({} times)", count) : "");
 }
 
-void write_statistics(const std::string &file, const nlohmann::json &statistics) {
-    if (file.empty()) return;
-    std::ofstream out(file);
-    out << statistics.dump(2) << "\n";
-    if (!out.flush()) throw SceneError(file + ": cannot write the statistics there");
-}
-
 double mebibytes(std::size_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
 
-std::map<std::string, std::string> metadata(const Scene &scene, const nlohmann::json &statistics) {
+std::map<std::string, std::string> metadata(const Scene &scene, const CompiledScene &compiled, const nlohmann::json &statistics) {
     return {{"Software", "brandung " BRANDUNG_VERSION " (" BRANDUNG_GIT ")"},
             {"brandung:scene", scene.file},
+            {"brandung:scene_hash", fmt::format("{:016x}", scene_hash(scene, compiled))},
             {"brandung:integrator", scene.integrator.type},
             {"brandung:max_depth", std::to_string(scene.integrator.max_depth)},
             {"brandung:threshold", fmt::format("{}", scene.integrator.threshold)},
@@ -101,7 +95,8 @@ struct Job {
 int render(const Options &options) {
     const double start = now();
     ProgressLine progress(options.quiet);
-    for (const std::string &output : options.outputs) check_writable(output);
+    for (const std::string &output : options.outputs) check_picture_writable(output);
+    if (!options.stats.empty()) check_writable(options.stats);
     PhaseSeconds seconds;
     Scene scene;
     seconds.read = timed([&] { scene = read_scene(options.scene, assignments(options)); });
@@ -136,12 +131,12 @@ int render(const Options &options) {
 
     RenderReport report{scene,   job->compiled, job->device, renderer->integrator(), seconds, job->on_device.bytes(), renderer->wave_bytes(),
                         film->bytes(), film->clamped()};
-    Picture picture{scene.film.width, scene.film.height, film->develop(), metadata(scene, statistics(report))};
+    Picture picture{scene.film.width, scene.film.height, film->develop(), metadata(scene, job->compiled, statistics(report))};
     report.seconds.write = timed([&] {
         for (const std::string &output : options.outputs) write_picture(output, picture, scene.film.exposure);
     });
     report.seconds.total = now() - start;
-    write_statistics(options.stats, statistics(report));
+    if (!options.stats.empty()) write_text(options.stats, statistics(report).dump(2) + "\n");
     if (const auto refused = renderer->integrator().refused()) fmt::print(stderr, "warning: {} contributions were not finite and were left out\n", refused);
     if (report.clamped) fmt::print(stderr, "warning: {} samples were brighter than 65536 and were cut\n", report.clamped);
     if (!complete) fmt::print(stderr, "interrupted: the picture so far has been written\n");

@@ -4,6 +4,7 @@
 #include "kernels/bsdfs/bsdf.h"
 #include "generated/constants.h"
 #include "kernels/core/items.cl"
+#include "kernels/core/lanes_1.cl"
 #include "kernels/core/math.cl"
 #include "kernels/core/scene.h"
 

@@ -9,7 +9,7 @@ FUNCTION float refracted_cosine_squared(float cosine, float eta) { return 1.0f -
 /// Fresnel's reflectance of unpolarised light; 1 for total internal reflection. The mean of the s- and p-polarised ones.
 FUNCTION float fresnel(float cosine, float cosine_squared_beyond, float eta) {
     const float beyond = sqrt(maximum(cosine_squared_beyond, 0.0f));
-    const float s = (eta * cosine - beyond) / (eta * cosine + beyond);
-    const float p = (cosine - eta * beyond) / (cosine + eta * beyond);
+    const float s = (eta * cosine - beyond) / maximum(eta * cosine + beyond, 0x1p-126f);  // 0 / 0 at cosine 0 between equal media
+    const float p = (cosine - eta * beyond) / maximum(cosine + eta * beyond, 0x1p-126f);
     return cosine_squared_beyond < 0.0f ? 1.0f : 0.5f * (s * s + p * p);
 }

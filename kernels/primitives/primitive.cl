@@ -1,6 +1,9 @@
 // Surfaces of all kinds of primitives in use.
 #pragma once
 #include "kernels/core/items.cl"
+#include "kernels/core/lanes_1.cl"
+#include "kernels/core/scene.cl"
+#include "kernels/primitives/surface.h"
 #include "generated/primitive_surfaces.cl"
 #include "generated/primitives.cl"
 

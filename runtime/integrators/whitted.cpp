@@ -80,7 +80,7 @@ public:
 
     void render(const Batch &batch, Buffer<Sample> &samples) override {
         Level &first = levels_.start(batch.count());
-        if (transmits_) first.interiors.fill_zero();
+        if (transmits_) start_interiors(first, batch);
         generate_(batch.count(), batch.camera, batch.params, batch.pixels, batch.count(), first.rays, first.paths, first.live, samples);
         while (const auto wave = levels_.next()) {
             trace(*wave);
@@ -106,9 +106,17 @@ public:
     }
 
 private:
-    /// Rays from the eye stay together, the others go their own ways.
+    /// All rays of a batch begin in the media that the eye is in.
+    static void start_interiors(Level &first, const Batch &batch) {
+        if (std::all_of(batch.interior.begin(), batch.interior.end(), [](uint entry) { return entry == 0; })) return first.interiors.fill_zero();
+        std::vector<uint> interiors;
+        for (uint i = 0; i < batch.count(); ++i) interiors.insert(interiors.end(), batch.interior.begin(), batch.interior.end());
+        first.interiors.write(interiors);
+    }
+
+    /// Rays from the eye and their first reflections stay together, the others go their own ways.
     void trace(const Wave &wave) {
-        Kernel &intersect = wave.generation == 0 ? intersect_packets_ : *intersect_;
+        Kernel &intersect = wave.generation <= 1 ? intersect_packets_ : *intersect_;
         intersect(wave.count, scene_, wave, wave.level.rays, hits_, counter_.tallies());
         counter_.add(intersect.work_items(wave.count));
     }
@@ -135,7 +143,7 @@ private:
         const uint count = wave.count;
         shadows.spawn(Grid(count, rows), scene_, light, shadows.stride, count, points_, shadows.rays, shadows.visible);
         shadows.compact(shadows.visible, shadows.stride, count, rows, 0, 0, shadows.live);
-        Kernel &trace = wave.generation == 0 ? shadows.trace_packets : shadows.trace_singly;
+        Kernel &trace = wave.generation <= 1 ? shadows.trace_packets : shadows.trace_singly;
         trace(Grid(count, rows), scene_, shadows.live, shadows.compact.counts(), shadows.stride, shadows.rays, shadows.visible, counter_.tallies());
         counter_.add(trace.work_items(count) * rows);
     }

@@ -11,6 +11,7 @@ struct Batch {
     BatchParams params;
     const Buffer<uint> &pixels;
     Camera camera;
+    const std::vector<uint> &interior;  ///< the list of media that the eye is in, as kernels/core/interior.cl has it
     uint count() const { return params.pixels * params.samples; }
 };
 
