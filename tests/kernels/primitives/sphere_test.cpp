@@ -115,6 +115,27 @@ TEST(Sphere, ARayThatBeginsOnItDoesNotMeetItThere) {
     EXPECT_EQ(crossing({{0, 0, 5}, 1}, {0, 0, 4}, {0, 0, 1}).t, 2);
 }
 
+TEST(Sphere, ARayThatBeginsOnItWithinRoundingDoesNotMeetItThere) {
+    // About the origin, so that a point of the sphere is off by u r per component, and c by 2 sqrt(3) u r^2 < 2^-22 r^2.
+    Random random(3);
+    std::vector<Sphere> spheres;
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float radius = std::exp2(random.uniform(-20, 20));
+        spheres.push_back({{0, 0, 0}, radius});
+        rays.push_back(make_ray(vec3(glm::dvec3(random.direction()) * double(radius)), random.direction()));
+    }
+    const std::vector<CrossingResult> results = probe_of(spheres).crossings(rays);
+    for (std::size_t i = 0; i < count; ++i) {
+        const real cosine = dot(unit(rays[i].origin), rays[i].direction), across = -2 * cosine * spheres[i].radius;
+        if (std::abs(cosine) < 0x1p-10L) continue;
+        ASSERT_EQ(results[i].hit, cosine < 0) << i << ": cosine " << cosine << ", t " << results[i].t;
+        if (cosine < 0) {
+            ASSERT_NEAR(results[i].t, across, 0x1p-10L * across) << i;
+        }
+    }
+}
+
 TEST(Sphere, CrossingsAreWhatRoundingExplains) {
     for (const int offset_bits : {2, 10, 20}) {
         const Cases cases = random_cases(uint(offset_bits), offset_bits);
