@@ -1,0 +1,445 @@
+#include "tests/images/spd_reference.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace spd {
+
+Counts &Counts::operator+=(const Counts &other) {
+    primary += other.primary, primary_hits += other.primary_hits;
+    shadow += other.shadow, shadow_hits += other.shadow_hits;
+    reflected += other.reflected, reflected_hits += other.reflected_hits;
+    refracted += other.refracted, refracted_hits += other.refracted_hits;
+    inner_shadow += other.inner_shadow, inner_shadow_hits += other.inner_shadow_hits;
+    return *this;
+}
+
+namespace {
+
+using Vec = glm::dvec3;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr unsigned max_depth = 5;  ///< rays in a chain, the eye ray being 1
+constexpr double offset = 1e-10;   ///< by which spawned rays start off the surface, relative to the scene's extent
+
+// ---- the file --------------------------------------------------------------------------------------------------------------------------------
+
+struct Surface {
+    double reflection = 0, transmission = 0, index = 1;
+};
+
+enum class Kind { ball, cone, polygon };
+
+struct Thing {
+    Kind kind;
+    unsigned surface;
+    Vec center;      ///< ball
+    double radius;   ///< ball; cone: at its base
+    Vec base, axis;  ///< cone: from base to apex, unit length
+    double height, slope;
+    std::vector<Vec> corners, normals;  ///< polygon
+    Vec normal;                         ///< polygon: to its outside
+    double constant;                    ///< of its plane
+    int u, v;                           ///< the two axes on which its shadow is largest
+};
+
+struct Contents {
+    Vec from, at, up;
+    double angle = 45;
+    std::vector<Vec> lights;
+    std::vector<Surface> surfaces;
+    std::vector<Thing> things;
+};
+
+class File {
+public:
+    explicit File(const std::string &name) : stream_(name) {
+        if (!stream_) throw std::runtime_error("cannot read " + name);
+    }
+    bool word(std::string &text) { return static_cast<bool>(stream_ >> text); }
+    double number() {
+        double value = 0;
+        if (!(stream_ >> value)) throw std::runtime_error("number expected");
+        return value;
+    }
+    Vec vector() {
+        const double x = number(), y = number(), z = number();
+        return {x, y, z};
+    }
+    std::string rest_of_line() {
+        std::string text;
+        std::getline(stream_, text);
+        return text;
+    }
+
+private:
+    std::ifstream stream_;
+};
+
+Thing read_polygon(File &file, unsigned surface, bool patch) {
+    Thing thing{.kind = Kind::polygon, .surface = surface};
+    const int count = static_cast<int>(file.number());
+    for (int i = 0; i < count; ++i) {
+        thing.corners.push_back(file.vector());
+        if (patch) thing.normals.push_back(file.vector());
+    }
+    if (patch && count != 3) throw std::runtime_error("a patch that is no triangle");
+    // Newell's normal, which any order of corners defines.
+    Vec normal(0);
+    for (int i = 0; i < count; ++i) normal += glm::cross(thing.corners[i], thing.corners[(i + 1) % count]);
+    thing.normal = glm::normalize(normal);
+    thing.constant = glm::dot(thing.normal, thing.corners[0]);
+    const Vec size = glm::abs(thing.normal);
+    const int w = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+    thing.u = (w + 1) % 3, thing.v = (w + 2) % 3;
+    return thing;
+}
+
+Thing read_cone(File &file, unsigned surface) {
+    Thing thing{.kind = Kind::cone, .surface = surface};
+    thing.base = file.vector();
+    thing.radius = file.number();
+    const Vec apex = file.vector();
+    const double apex_radius = file.number();
+    thing.height = glm::length(apex - thing.base);
+    thing.axis = (apex - thing.base) / thing.height;
+    thing.slope = (apex_radius - thing.radius) / thing.height;
+    return thing;
+}
+
+Contents read(const std::string &name) {
+    File file(name);
+    Contents scene;
+    for (std::string word; file.word(word);) {
+        const auto surface = static_cast<unsigned>(scene.surfaces.size()) - 1;
+        if (word[0] == '#' || word == "b" || word == "hither" || word == "resolution") {
+            file.rest_of_line();
+        } else if (word == "from") {
+            scene.from = file.vector();
+        } else if (word == "at") {
+            scene.at = file.vector();
+        } else if (word == "up") {
+            scene.up = file.vector();
+        } else if (word == "angle") {
+            scene.angle = file.number();
+        } else if (word == "l") {
+            scene.lights.push_back(file.vector());
+            file.rest_of_line();
+        } else if (word == "f") {
+            for (int i = 0; i < 4; ++i) file.number();
+            Surface read;
+            read.reflection = file.number();
+            file.number();
+            read.transmission = file.number(), read.index = file.number();
+            scene.surfaces.push_back(read);
+        } else if (word == "s") {
+            Thing thing{.kind = Kind::ball, .surface = surface};
+            thing.center = file.vector(), thing.radius = file.number();
+            scene.things.push_back(thing);
+        } else if (word == "c") {
+            scene.things.push_back(read_cone(file, surface));
+        } else if (word == "p" || word == "pp") {
+            scene.things.push_back(read_polygon(file, surface, word == "pp"));
+        } else if (word != "v") {
+            throw std::runtime_error("unknown entity " + word);
+        }
+    }
+    return scene;
+}
+
+// ---- crossings -------------------------------------------------------------------------------------------------------------------------------
+
+struct Ray {
+    Vec origin, direction;
+    double start, end;  ///< crossings in (start, end) count
+};
+
+struct Candidate {
+    double t = infinity;
+    const Thing *thing = nullptr;
+};
+
+/// Two numbers s with a s² + 2 b s + c = 0, the smaller first.
+bool quadratic(double a, double b, double c, double &first, double &second) {
+    const double discriminant = b * b - a * c;
+    if (discriminant < 0 || a == 0) return false;
+    const double root = std::sqrt(discriminant), q = b < 0 ? root - b : -root - b;
+    first = q / a, second = q == 0 ? 0 : c / q;
+    if (first > second) std::swap(first, second);
+    return true;
+}
+
+/// Even and odd crossings of a half line with the outline.
+bool inside(const Thing &thing, const Vec &p) {
+    bool in = false;
+    const double pu = p[thing.u], pv = p[thing.v];
+    const std::size_t count = thing.corners.size();
+    for (std::size_t i = 0, j = count - 1; i < count; j = i++) {
+        const double au = thing.corners[i][thing.u], av = thing.corners[i][thing.v], bu = thing.corners[j][thing.u], bv = thing.corners[j][thing.v];
+        if ((av > pv) != (bv > pv) && pu < (bu - au) * (pv - av) / (bv - av) + au) in = !in;
+    }
+    return in;
+}
+
+Vec geometric_normal(const Thing &thing, const Vec &p) {
+    if (thing.kind == Kind::ball) return glm::normalize(p - thing.center);
+    if (thing.kind == Kind::polygon) return thing.normal;
+    const Vec f = p - thing.base;
+    const Vec across = glm::normalize(f - glm::dot(f, thing.axis) * thing.axis);
+    return glm::normalize(across - thing.slope * thing.axis);
+}
+
+/// The nearest crossing in the ray's range that counts, if `accept(t)` says so too.
+template <class Accept> double cross(const Thing &thing, const Ray &ray, Accept accept) {
+    double roots[2] = {infinity, infinity};
+    if (thing.kind == Kind::polygon) {
+        const double along = glm::dot(thing.normal, ray.direction);
+        if (along == 0) return infinity;
+        roots[0] = (thing.constant - glm::dot(thing.normal, ray.origin)) / along;
+    } else if (thing.kind == Kind::ball) {
+        const Vec f = ray.origin - thing.center;
+        if (!quadratic(1, glm::dot(f, ray.direction), glm::dot(f, f) - thing.radius * thing.radius, roots[0], roots[1])) return infinity;
+    } else {
+        const Vec f = ray.origin - thing.base;
+        const double fz = glm::dot(f, thing.axis), dz = glm::dot(ray.direction, thing.axis);
+        const double r = thing.radius + thing.slope * fz, dr = thing.slope * dz;
+        const double a = 1 - dz * dz - dr * dr, b = glm::dot(f, ray.direction) - fz * dz - r * dr, c = glm::dot(f, f) - fz * fz - r * r;
+        if (!quadratic(a, b, c, roots[0], roots[1])) return infinity;
+    }
+    for (const double t : roots) {
+        if (!(t > ray.start && t < ray.end)) continue;
+        const Vec p = ray.origin + t * ray.direction;
+        if (thing.kind == Kind::polygon && !inside(thing, p)) continue;
+        if (thing.kind == Kind::cone) {
+            const double z = glm::dot(p - thing.base, thing.axis);
+            if (z < 0 || z > thing.height) continue;
+        }
+        if (accept(p)) return t;
+    }
+    return infinity;
+}
+
+// ---- boxes in boxes --------------------------------------------------------------------------------------------------------------------------
+
+struct Box {
+    Vec low{infinity}, high{-infinity};
+    void add(const Vec &p) { low = glm::min(low, p), high = glm::max(high, p); }
+    void add(const Box &other) { low = glm::min(low, other.low), high = glm::max(high, other.high); }
+};
+
+Box box_of(const Thing &thing) {
+    Box box;
+    if (thing.kind == Kind::ball) box.add(thing.center - thing.radius), box.add(thing.center + thing.radius);
+    if (thing.kind == Kind::polygon)
+        for (const Vec &corner : thing.corners) box.add(corner);
+    if (thing.kind == Kind::cone) {
+        const Vec apex = thing.base + thing.height * thing.axis;
+        const double apex_radius = thing.radius + thing.slope * thing.height;
+        box.add(thing.base - thing.radius), box.add(thing.base + thing.radius);
+        box.add(apex - apex_radius), box.add(apex + apex_radius);
+    }
+    const Vec slack = 1e-9 * (1.0 + glm::max(glm::abs(box.low), glm::abs(box.high)));
+    return {box.low - slack, box.high + slack};
+}
+
+struct Node {
+    Box box;
+    unsigned first, count;  ///< of things; count 0: children are `first` and `first` + 1
+};
+
+/// Halves by number along the longest side, until four are left.
+class Tree {
+public:
+    explicit Tree(const std::vector<Thing> &things) {
+        std::vector<Box> boxes;
+        for (const Thing &thing : things) boxes.push_back(box_of(thing)), order_.push_back(&thing);
+        std::vector<unsigned> indices(things.size());
+        for (unsigned i = 0; i < indices.size(); ++i) indices[i] = i;
+        nodes_.reserve(2 * things.size());
+        nodes_.emplace_back();
+        build(0, 0, static_cast<unsigned>(things.size()), boxes, indices);
+        for (unsigned i = 0; i < indices.size(); ++i) order_[i] = &things[indices[i]];
+    }
+
+    /// The nearest crossing; with `any` the first that is found.
+    template <class Accept> Candidate closest(Ray ray, bool any, Accept accept) const {
+        Candidate best;
+        const Vec inverse = 1.0 / ray.direction;
+        unsigned stack[64], depth = 0;
+        stack[depth++] = 0;
+        while (depth > 0) {
+            const Node &node = nodes_[stack[--depth]];
+            if (!meets(node.box, ray, inverse)) continue;
+            if (node.count == 0) {
+                stack[depth++] = node.first, stack[depth++] = node.first + 1;
+                continue;
+            }
+            for (unsigned i = node.first; i < node.first + node.count; ++i) {
+                const Thing &thing = *order_[i];
+                const double t = cross(thing, ray, [&](const Vec &p) { return accept(thing, p); });
+                if (t >= ray.end || t == infinity) continue;
+                best = {t, &thing}, ray.end = t;
+                if (any) return best;
+            }
+        }
+        return best;
+    }
+
+private:
+    void build(unsigned node, unsigned first, unsigned end, const std::vector<Box> &boxes, std::vector<unsigned> &indices) {
+        Box box, middles;
+        for (unsigned i = first; i < end; ++i) box.add(boxes[indices[i]]), middles.add(boxes[indices[i]].low + boxes[indices[i]].high);
+        nodes_[node] = {box, first, end - first};
+        if (end - first <= 4) return;
+        const Vec size = middles.high - middles.low;
+        const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+        const unsigned half = (first + end) / 2;
+        const auto before = [&](unsigned a, unsigned b) {
+            return boxes[a].low[axis] + boxes[a].high[axis] < boxes[b].low[axis] + boxes[b].high[axis];
+        };
+        std::nth_element(indices.begin() + first, indices.begin() + half, indices.begin() + end, before);
+        const auto children = static_cast<unsigned>(nodes_.size());
+        nodes_[node].first = children, nodes_[node].count = 0;
+        nodes_.emplace_back(), nodes_.emplace_back();
+        build(children, first, half, boxes, indices);
+        build(children + 1, half, end, boxes, indices);
+    }
+
+    static bool meets(const Box &box, const Ray &ray, const Vec &inverse) {
+        double enter = ray.start, leave = ray.end;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double a = (box.low[axis] - ray.origin[axis]) * inverse[axis], b = (box.high[axis] - ray.origin[axis]) * inverse[axis];
+            enter = std::max(enter, std::min(a, b)), leave = std::min(leave, std::max(a, b));
+        }
+        return enter <= leave * (1 + 1e-12);
+    }
+
+    std::vector<Node> nodes_;
+    std::vector<const Thing *> order_;
+};
+
+/// The interpolated normal at p, a point of the triangle.
+Vec patch_normal(const Thing &thing, const Vec &p) {
+    const Vec &a = thing.corners[0], &b = thing.corners[1], &c = thing.corners[2];
+    const double area = glm::dot(glm::cross(b - a, c - a), thing.normal);
+    const double wa = glm::dot(glm::cross(b - p, c - p), thing.normal) / area, wb = glm::dot(glm::cross(c - p, a - p), thing.normal) / area;
+    const Vec &na = thing.normals[0], &nb = thing.normals[1], &nc = thing.normals[2];
+    return glm::normalize(wa * glm::normalize(na) + wb * glm::normalize(nb) + (1 - wa - wb) * glm::normalize(nc));
+}
+
+}  // namespace
+
+// ---- counting --------------------------------------------------------------------------------------------------------------------------------
+
+struct Reference::Implementation {
+    explicit Implementation(const std::string &file) : scene(read(file)), tree(scene.things) {
+        for (const Thing &thing : scene.things) {
+            const Box box = box_of(thing);
+            extent = std::max({extent, glm::length(box.low), glm::length(box.high)});
+        }
+    }
+
+    /// Counts the rays that a hit spawns, and theirs.
+    void shade(const Ray &ray, const Candidate &hit, unsigned depth, const Conventions &conventions, Counts &counts) const {
+        const Thing &thing = *hit.thing;
+        const Vec p = ray.origin + hit.t * ray.direction;
+        const Vec outward = geometric_normal(thing, p);
+        const bool enters = glm::dot(outward, ray.direction) < 0;
+        const Vec geometric = enters ? outward : -outward;
+        Vec normal = thing.normals.empty() ? outward : patch_normal(thing, p);
+        if (glm::dot(normal, geometric) < 0) normal = -normal;
+        const bool from_inside = scene.surfaces.at(thing.surface).transmission > 0 && !enters;
+        for (const Vec &light : scene.lights)
+            send_to(light, p, from_inside ? -geometric : geometric, from_inside ? -normal : normal, from_inside, conventions, counts);
+        if (depth < max_depth) spawn(ray, thing, p, geometric, normal, depth, conventions, counts);
+    }
+
+    /// A shadow ray, where light falls on that side.
+    void send_to(const Vec &light, const Vec &p, const Vec &geometric, const Vec &normal, bool from_inside, const Conventions &conventions,
+                 Counts &counts) const {
+        const Vec start = p + offset * extent * geometric, way = light - start;
+        if (glm::dot(normal, way) <= 0 || (conventions.both_normals_lit && glm::dot(geometric, way) <= 0)) return;
+        const double distance = glm::length(way);
+        const Ray ray{start, way / distance, conventions.start, distance};
+        const bool blocked =
+            tree.closest(ray, true, [&](const Thing &thing, const Vec &q) { return !conventions.one_sided_shadows || is_there(thing, q, ray); })
+                .thing != nullptr;
+        counts.shadow += 1, counts.shadow_hits += blocked;
+        if (from_inside) counts.inner_shadow += 1, counts.inner_shadow_hits += blocked;
+    }
+
+    void spawn(const Ray &ray, const Thing &thing, const Vec &p, const Vec &geometric, const Vec &normal, unsigned depth,
+               const Conventions &conventions, Counts &counts) const {
+        const Surface &surface = scene.surfaces.at(thing.surface);
+        const auto send = [&](const Vec &direction, std::uint64_t &rays, std::uint64_t &hits) {
+            const Vec start = p + (glm::dot(direction, geometric) < 0 ? -offset : offset) * extent * geometric;
+            rays += 1;
+            hits += trace({start, glm::normalize(direction), conventions.start, infinity}, depth + 1, conventions, counts);
+        };
+        const double cosine = std::max(0.0, -glm::dot(ray.direction, normal));
+        if (surface.reflection > 0 || surface.transmission > 0) send(ray.direction + 2 * cosine * normal, counts.reflected, counts.reflected_hits);
+        if (surface.transmission == 0) return;
+        const bool enters = glm::dot(geometric_normal(thing, p), ray.direction) < 0;
+        const double eta = enters ? 1 / surface.index : surface.index, cosine_squared = 1 - eta * eta * (1 - cosine * cosine);
+        if (cosine_squared < 0) return;
+        send(eta * ray.direction + (eta * cosine - std::sqrt(cosine_squared)) * normal, counts.refracted, counts.refracted_hits);
+    }
+
+    /// Whether the thing's surface at p has a side towards the ray's beginning, if opaque surfaces have one side only.
+    bool is_there(const Thing &thing, const Vec &p, const Ray &ray) const {
+        return scene.surfaces[thing.surface].transmission > 0 || glm::dot(geometric_normal(thing, p), ray.direction) < 0;
+    }
+
+    /// Whether the ray hits anything.
+    bool trace(const Ray &ray, unsigned depth, const Conventions &conventions, Counts &counts) const {
+        const Candidate hit = tree.closest(ray, false, [&](const Thing &thing, const Vec &p) {
+            return !conventions.one_sided || scene.surfaces[thing.surface].transmission > 0 ||
+                   glm::dot(geometric_normal(thing, p), ray.direction) < 0;
+        });
+        if (hit.thing) shade(ray, hit, depth, conventions, counts);
+        return hit.thing != nullptr;
+    }
+
+    Contents scene;
+    Tree tree;
+    double extent = 0;
+};
+
+Reference::Reference(const std::string &file) : implementation_(std::make_unique<Implementation>(file)) {}
+Reference::~Reference() = default;
+
+Counts Reference::count(unsigned width, unsigned height, Block block, const Conventions &conventions) const {
+    const Contents &scene = implementation_->scene;
+    const Vec forward = glm::normalize(scene.at - scene.from), right = glm::normalize(glm::cross(forward, scene.up)), up = glm::cross(right, forward);
+    const double half_height = std::tan(glm::radians(scene.angle) / 2), half_width = half_height * width / height;
+    Counts counts;
+    for (unsigned y = block.y0; y < block.y1; ++y)
+        for (unsigned x = block.x0; x < block.x1; ++x) {
+            const double across = 2.0 * x / (width - 1) - 1, down = 2.0 * y / (height - 1) - 1;
+            counts.primary += 1;
+            const Ray ray{scene.from, glm::normalize(forward + across * half_width * right - down * half_height * up), 0, infinity};
+            counts.primary_hits += implementation_->trace(ray, 1, conventions, counts);
+        }
+    return counts;
+}
+
+Counts Reference::count(unsigned width, unsigned height, const Conventions &conventions) const {
+    std::atomic<unsigned> next = 0;
+    std::vector<Counts> parts(std::max(1u, std::thread::hardware_concurrency()));
+    std::vector<std::thread> threads;
+    for (Counts &part : parts)
+        threads.emplace_back([&] {
+            for (unsigned y = next++; y < height; y = next++) part += count(width, height, {0, y, width, y + 1}, conventions);
+        });
+    for (std::thread &thread : threads) thread.join();
+    Counts counts;
+    for (const Counts &part : parts) counts += part;
+    return counts;
+}
+
+}  // namespace spd

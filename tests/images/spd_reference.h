@@ -1,0 +1,54 @@
+/// A second ray tracer for NFF scenes that only counts rays: double precision, on the host; it shares no code with the first.
+/// Opaque surfaces have two sides. T > 0 spawns a reflected ray, whatever its weight, and a refracted one unless reflection is total. A shadow ray
+/// goes where N·L > 0: N is the interpolated normal of patches, on the side of the geometric one that the viewer is on; of transparent surfaces the
+/// outward one, also from inside. Transparent objects cast opaque shadows. Spawned rays begin off the surface, on the side that they go to.
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+
+namespace spd {
+
+struct Counts {
+    std::uint64_t primary = 0, primary_hits = 0;
+    std::uint64_t shadow = 0, shadow_hits = 0;
+    std::uint64_t reflected = 0, reflected_hits = 0;
+    std::uint64_t refracted = 0, refracted_hits = 0;
+    std::uint64_t inner_shadow = 0, inner_shadow_hits = 0;  ///< the part of shadow rays from hits on transparent surfaces seen from inside
+
+    std::uint64_t secondary() const { return reflected + refracted; }
+    std::uint64_t secondary_hits() const { return reflected_hits + refracted_hits; }
+    Counts &operator+=(const Counts &other);
+};
+
+/// What the databases' readme leaves open. The defaults are those of the product.
+struct Conventions {
+    bool both_normals_lit = false;   ///< light falls only where the geometric normal faces it too, not just the interpolated one
+    bool one_sided = false;          ///< opaque surfaces are not there from behind
+    bool one_sided_shadows = false;  ///< the same for shadow rays
+    double start = 0;                ///< crossings nearer than this along spawned rays do not count
+};
+
+/// Half-open ranges of columns and rows.
+struct Block {
+    unsigned x0, y0, x1, y1;
+};
+
+class Reference {
+public:
+    /// Reads the file. Throws std::runtime_error.
+    explicit Reference(const std::string &file);
+    ~Reference();
+
+    /// Of a picture of width x height with one ray through each corner, the part in `block`.
+    Counts count(unsigned width, unsigned height, Block block, const Conventions &conventions = {}) const;
+    /// The whole picture, by all threads.
+    Counts count(unsigned width, unsigned height, const Conventions &conventions = {}) const;
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace spd
