@@ -1,0 +1,131 @@
+#include "runtime/opencl/kernel.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/probe.h"
+
+namespace brandung {
+namespace {
+
+constexpr const char *fill = "kernel void fill(uint value, global uint *out) { out[get_global_id(0)] = value; }\n";
+
+std::string message_of(auto action) {
+    try {
+        action();
+    } catch (const Error &error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+void expect_mentions(const std::string &message, const std::vector<std::string> &parts) {
+    for (const std::string &part : parts) EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+}
+
+TEST(Kernel, ArgumentsArriveInOrder) {
+    Kernel kernel(test_device(), "fill.cl", "fill", {{"fill.cl", fill}}, 1);
+    Buffer<uint> out(test_device(), kernel.work_items(5));
+    kernel(5, 7u, out);
+    EXPECT_EQ(out.read(0, 5), std::vector<uint>(5, 7));
+}
+
+TEST(Kernel, NothingIsLaunchedOverNoItems) {
+    Kernel kernel(test_device(), "fill.cl", "fill", {{"fill.cl", fill}}, 1);
+    Buffer<uint> out(test_device(), kernel.work_items(1));
+    out.fill_zero();
+    kernel(0, 7u, out);
+    EXPECT_EQ(out.read(0, 1), std::vector<uint>{0});
+}
+
+TEST(Kernel, AWrongNumberOfArgumentsIsRefused) {
+    Kernel kernel(test_device(), "fill.cl", "fill", {{"fill.cl", fill}}, 1);
+    Buffer<uint> out(test_device(), 64);
+    expect_mentions(message_of([&] { kernel(1, 7u); }), {"fill", "takes 2 arguments, got 1"});
+    expect_mentions(message_of([&] { kernel(1, 7u, out, 8u); }), {"fill"});
+}
+
+TEST(Kernel, AnArgumentOfTheWrongSizeIsRefused) {
+    Kernel kernel(test_device(), "fill.cl", "fill", {{"fill.cl", fill}}, 1);
+    Buffer<uint> out(test_device(), 64);
+    expect_mentions(message_of([&] { kernel(1, vec3(0), out); }), {"argument 0 of fill", "CL_INVALID_ARG_SIZE"});
+}
+
+TEST(Kernel, AMissingFunctionIsNamed) {
+    expect_mentions(message_of([] { Kernel(test_device(), "fill.cl", "fall", {{"fill.cl", fill}}, 1); }), {"fall", "fill.cl"});
+}
+
+TEST(Kernel, ABuildErrorHasTheRealFileAndLine) {
+    const Sources sources = {{"broken.cl", "#include \"fine.h\"\n#include \"wrong.h\"\nkernel void broken() {}\n"},
+                             {"fine.h", "#pragma once\ntypedef int fine;\n"},
+                             {"wrong.h", "#pragma once\n\ntypedef fine better;\ntypedef unknown worse;\n"}};
+    try {
+        Kernel(test_device(), "broken.cl", "broken", sources, 1);
+        FAIL() << "no error";
+    } catch (const BuildError &error) {
+        expect_mentions(error.log, {"wrong.h:4"});
+        expect_mentions(error.what(), {"broken.cl", "wrong.h:4", test_device().info().name});
+    }
+    const Sources late = {{"broken.cl", "#include \"fine.h\"\nint f() { return unknown; }\nkernel void broken() {}\n"},
+                          {"fine.h", "typedef int fine;\n\n\n"}};
+    expect_mentions(message_of([&] { Kernel(test_device(), "broken.cl", "broken", late, 1); }), {"broken.cl:2"});
+}
+
+TEST(Kernel, AWarningIsAnError) {
+    const Sources sources = {{"warn.cl", "int f() { }\nkernel void warn(global int *x) { x[0] = f(); }\n"}};
+    EXPECT_THROW(Kernel(test_device(), "warn.cl", "warn", sources, 1), BuildError);
+}
+
+TEST(Kernel, EqualTextIsBuiltOnce) {
+    std::vector<std::string> built;
+    test_device().on_build([&](const std::string &file) { built.push_back(file); });
+    const Sources sources = {{"once.cl", "kernel void a(global int *x) { x[0] = 1; }\nkernel void b(global int *x) { x[0] = 2; }\n"}};
+    Kernel(test_device(), "once.cl", "a", sources, 1);
+    Kernel(test_device(), "once.cl", "b", sources, 1);
+    test_device().on_build({});
+    EXPECT_EQ(built, std::vector<std::string>{"once.cl"});
+}
+
+TEST(Kernel, WorkItemsCoverAllItems) {
+    for (const uint per_work_item : {1u, 64u, 256u}) {
+        const Kernel kernel(test_device(), "fill.cl", "fill", {{"fill.cl", fill}}, per_work_item);
+        for (const std::size_t items : {1u, 63u, 64u, 65u, 255u, 256u, 257u, 100000u}) EXPECT_GE(kernel.work_items(items) * per_work_item, items);
+    }
+}
+
+TEST(Device, LaunchesAreCountedUnderTheKernelsName) {
+    Kernel kernel(test_device(), "counted.cl", "counted", {{"counted.cl", "kernel void counted(global int *x) {}\n"}}, 1);
+    const Buffer<int> x(test_device(), 1);
+    kernel(10, x), kernel(Grid(5, 3), x);
+    test_device().finish();
+    const KernelProfile profile = test_device().profile().at("counted");
+    EXPECT_EQ(profile.launches, 2u);
+    EXPECT_EQ(profile.items, 25u);
+    EXPECT_GE(profile.milliseconds, 0);
+}
+
+TEST(Device, AnUnknownOneIsRefusedNamingThoseThereAre) {
+    expect_mentions(message_of([] { Device::select("no such device"); }), {"no such device", test_device().info().name});
+}
+
+TEST(Device, ThreadsLimitItsComputeUnits) {
+    const Device one = Device::select("", 1);
+    EXPECT_EQ(one.info().compute_units, 1u);
+}
+
+TEST(Buffer, TooLargeOnesAreRefusedWithTheSizes) {
+    const std::size_t most = test_device().info().largest_allocation;
+    expect_mentions(message_of([&] { RawBuffer(test_device(), most + 1); }), {"MiB", test_device().info().name});
+}
+
+TEST(Buffer, WhatIsWrittenIsReadBackAlsoInPartsAndEmpty) {
+    Buffer<uint> buffer(test_device(), std::vector<uint>{1, 2, 3, 4});
+    buffer.write(std::vector<uint>{7, 8}, 1);
+    EXPECT_EQ(buffer.read(), (std::vector<uint>{1, 7, 8, 4}));
+    EXPECT_EQ(buffer.read(2, 2), (std::vector<uint>{8, 4}));
+    buffer.fill_zero();
+    EXPECT_EQ(buffer.read(), std::vector<uint>(4, 0));
+    EXPECT_TRUE(Buffer<uint>(test_device(), 0).read().empty());
+}
+
+}  // namespace
+}  // namespace brandung
