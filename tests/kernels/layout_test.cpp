@@ -1,0 +1,197 @@
+/// Records that both languages declare have the same size and members at the same places in both.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "kernels/accelerators/wide_bvh.h"
+#include "kernels/bsdfs/bsdf.h"
+#include "kernels/bsdfs/whitted.h"
+#include "kernels/core/items.h"
+#include "kernels/core/params.h"
+#include "kernels/core/scene.h"
+#include "kernels/lights/directional.h"
+#include "kernels/lights/light.h"
+#include "kernels/lights/point.h"
+#include "kernels/primitives/frustum.h"
+#include "kernels/primitives/smooth_triangle.h"
+#include "kernels/primitives/sphere.h"
+#include "kernels/primitives/surface.h"
+#include "tests/support/probe.h"
+
+namespace brandung {
+namespace {
+
+/// Size and members' offsets, in bytes.
+struct Layout {
+    std::size_t size;
+    std::map<std::string, std::size_t> members;
+    bool operator==(const Layout &) const = default;
+};
+using Layouts = std::map<std::string, Layout>;
+
+void PrintTo(const Layout &layout, std::ostream *out) {
+    *out << layout.size << " bytes:";
+    for (const auto &[name, offset] : layout.members) *out << " " << name << " at " << offset;
+}
+
+// One entry per member; the preprocessor needs as many rounds as a record has members.
+#define AGAIN()
+#define ROUNDS(...) ROUNDS_3(ROUNDS_3(ROUNDS_3(__VA_ARGS__)))
+#define ROUNDS_3(...) ROUNDS_1(ROUNDS_1(ROUNDS_1(__VA_ARGS__)))
+#define ROUNDS_1(...) __VA_ARGS__
+#define MEMBERS(Record, name, ...) {#name, offsetof(Record, name)}, __VA_OPT__(MORE_MEMBERS AGAIN()()(Record, __VA_ARGS__))
+#define MORE_MEMBERS() MEMBERS
+#define RECORD(Record, ...)                                          \
+    {                                                                \
+#Record, {                                                   \
+            sizeof(Record), { ROUNDS(MEMBERS(Record, __VA_ARGS__)) } \
+        }                                                            \
+    }
+
+/// As the host's compiler has them.
+const Layouts &host_layouts() {
+    static const Layouts layouts = {
+        RECORD(vec2, x, y),
+        RECORD(vec3, x, y, z),
+        RECORD(Ray, origin, t_max, direction, kind),
+        RECORD(Hit, t, u, v, primitive),
+        RECORD(Path, throughput, slot, branch, depth, bsdf_pdf, passes),
+        RECORD(SurfacePoint, origin, material, normal, flags),
+        RECORD(SurfaceInterface, beyond, eta),
+        RECORD(Tally, rays, hits),
+        RECORD(Sample, sum),
+        RECORD(FilmPixel, sum, odd, squares, count, odd_count),
+        RECORD(Camera, position, corner, right, down, width, height),
+        RECORD(BatchParams, pixels, first_sample, samples, spp, columns, rows, seed, position),
+        RECORD(WhittedParams, max_depth, max_passes, threshold),
+        RECORD(Span, offset, count),
+        RECORD(ShadingRecord, kind, material, words),
+        RECORD(Material, kind, flags, priority, eta, emission, words),
+        RECORD(Light, kind, words),
+        RECORD(SceneHeader, blocks, nodes, shading, vertex_normals, materials, lights, background, ambient, extent),
+        RECORD(BvhNode, low, high, child, spare),
+        RECORD(Whitted, ambient, diffuse, specular, reflection, transmission, exponent, fresnel),
+        RECORD(Phong, diffuse, specular, exponent),
+        RECORD(Split, reflected, refracted),
+        RECORD(PointLight, position, intensity, attenuation),
+        RECORD(DirectionalLight, direction, irradiance),
+        RECORD(LightSample, direction, distance, irradiance, pdf),
+        RECORD(Surface, p, error, geometric, normal),
+        RECORD(SphereBlock, primitive, x, y, z, radius),
+        RECORD(SphereShading, center, radius),
+        RECORD(TriangleBlock, primitive, a, b, c),
+        RECORD(TriangleShading, a, b, c),
+        RECORD(SmoothTriangleShading, a, b, c, normals),
+        RECORD(VertexNormals, a, b, c),
+        RECORD(FrustumBlock, primitive, center, axis, half_length, radius, slope, side, low, high),
+        RECORD(FrustumShading, center, axis, radius, slope),
+    };
+    return layouts;
+}
+#undef RECORD
+#undef MORE_MEMBERS
+#undef MEMBERS
+#undef ROUNDS_1
+#undef ROUNDS_3
+#undef ROUNDS
+#undef AGAIN
+
+/// Names of the records that headers under kernels/ declare, and of their members, in order.
+struct Declared {
+    std::vector<std::string> headers;
+    std::map<std::string, std::vector<std::string>> records;
+};
+
+std::vector<std::string> members_of(const std::string &body) {
+    std::vector<std::string> names;
+    static const std::regex declaration(R"(\w+\s+([^;]+);)"), name(R"((\w+)\s*(\[[^,]*)?(,|$))");
+    for (auto line = std::sregex_iterator(body.begin(), body.end(), declaration); line != std::sregex_iterator(); ++line) {
+        const std::string list = (*line)[1];
+        for (auto one = std::sregex_iterator(list.begin(), list.end(), name); one != std::sregex_iterator(); ++one) names.push_back((*one)[1]);
+    }
+    return names;
+}
+
+Declared declared_records() {
+    namespace fs = std::filesystem;
+    Declared declared;
+    static const std::regex record(R"(typedef struct \{([^}]*)\} (\w+);)"), comment(R"(//[^\n]*)");
+    for (const auto &file : fs::recursive_directory_iterator(BRANDUNG_SOURCE_DIR "/kernels")) {
+        if (file.path().extension() != ".h") continue;
+        declared.headers.push_back(fs::relative(file.path(), BRANDUNG_SOURCE_DIR).string());
+        std::ifstream in(file.path());
+        const std::string text = std::regex_replace(std::string(std::istreambuf_iterator<char>(in), {}), comment, "");
+        for (auto match = std::sregex_iterator(text.begin(), text.end(), record); match != std::sregex_iterator(); ++match)
+            declared.records[(*match)[2]] = members_of((*match)[1]);
+    }
+    return declared;
+}
+
+/// As the kernels' compiler has them: the probe's items are the records' sizes and their members' offsets, one after another.
+Layouts device_layouts(const Declared &declared) {
+    std::string text, values;
+    std::size_t count = 0;
+    for (const std::string &header : declared.headers) text += "#include \"" + header + "\"\n";
+    const auto add = [&](const std::string &value) { values += "    if (i == " + std::to_string(count++) + "u) result[i] = (uint)" + value + ";\n"; };
+    for (const auto &[record, members] : declared.records) {
+        add("sizeof(" + record + ")");
+        for (const std::string &member : members) add("__builtin_offsetof(" + record + ", " + member + ")");
+    }
+    const std::vector<uint> results =
+        Probe(text + "kernel void probe(const global uint *numbers, global uint *result) {\n    const uint i = numbers[get_global_id(0)];\n" +
+              values + "}\n")
+            .run<uint>([count] {
+                std::vector<uint> numbers(count);
+                for (uint i = 0; i < count; ++i) numbers[i] = i;
+                return numbers;
+            }());
+    Layouts layouts;
+    std::size_t i = 0;
+    for (const auto &[record, members] : declared.records) {
+        Layout &layout = layouts[record];
+        layout.size = results[i++];
+        for (const std::string &member : members) layout.members[member] = results[i++];
+    }
+    return layouts;
+}
+
+TEST(Layout, RecordsAreTheSameInBothLanguages) {
+    const Layouts device = device_layouts(declared_records());
+    EXPECT_GT(device.size(), 25u);
+    for (const auto &[record, layout] : device) {
+        const auto host = host_layouts().find(record);
+        if (host == host_layouts().end()) {
+            ADD_FAILURE() << "record " << record << " is not in this test's list";
+        } else {
+            EXPECT_EQ(layout, host->second) << record;
+        }
+    }
+    EXPECT_EQ(device.size(), host_layouts().size()) << "a record in this test's list is declared nowhere";
+}
+
+TEST(Layout, WhatTravelsHasItsPromisedSize) {
+    EXPECT_EQ(sizeof(Ray), 32u);
+    EXPECT_EQ(sizeof(Hit), 16u);
+    EXPECT_EQ(sizeof(Path), 32u);
+    EXPECT_EQ(sizeof(SurfacePoint), 32u);
+    EXPECT_EQ(sizeof(ShadingRecord), 64u);
+    EXPECT_EQ(sizeof(Material), 128u);
+    EXPECT_EQ(sizeof(Light), 64u);
+    EXPECT_EQ(sizeof(BvhNode), 256u);
+    EXPECT_EQ(sizeof(vec3), 12u);
+    EXPECT_EQ(sizeof(Sample), 24u);
+}
+
+TEST(Layout, MembersAreFoundInDeclarations) {
+    EXPECT_EQ(members_of(" vec3 center, axis;  uint words[14]; float low[3][BLOCK_SIZE], high[3][BLOCK_SIZE]; uint count; "),
+              (std::vector<std::string>{"center", "axis", "words", "low", "high", "count"}));
+}
+
+}  // namespace
+}  // namespace brandung

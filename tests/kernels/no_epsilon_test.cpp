@@ -1,0 +1,104 @@
+/// What kernels must not contain: epsilons that rays begin or end at, and library functions whose results differ from device to device.
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "runtime/opencl/embedded_kernels.h"
+#include "runtime/opencl/source.h"
+
+namespace brandung {
+namespace {
+
+std::string without_comments(const std::string &text) { return std::regex_replace(text, std::regex(R"(//[^\n]*)"), ""); }
+
+/// Whether a line has what is looked for.
+using Search = bool (*)(const std::string &line);
+
+/// Lines that the search finds, as "file:line: text".
+std::vector<std::string> offences(const std::string &file, const std::string &text, Search search) {
+    std::vector<std::string> found;
+    std::istringstream lines(without_comments(text));
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number)
+        if (search(line)) found.push_back(file + ":" + std::to_string(number) + ": " + line);
+    return found;
+}
+
+std::vector<std::string> offences(Search search) {
+    std::vector<std::string> found;
+    for (const EmbeddedFile &file : embedded_kernels())
+        for (std::string &line : offences(std::string(file.path), std::string(file.text), search)) found.push_back(std::move(line));
+    return found;
+}
+
+/// A distance along a ray (t, t0, hit.t, t_max, near, far, entry ...) compared with a number that is not 0; or something called epsilon.
+bool has_epsilon(const std::string &line) {
+    static const std::string distance = R"(\b(?:t[01]?|t_min|t_max|near|far|nearest|enter|entry|entered|distance)(?:\[\w+\])?)";
+    static const std::string number = R"((?:\(\w+\)\s*\()?-?((?:0x[\da-f.]+p[+-]?\d+|\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?))[fu]?\)?)";
+    static const std::regex named(R"(epsilon|\beps\b)", std::regex::icase);
+    static const std::regex before(R"((?:^|[^\w.]))" + number + R"(\s*[<>]=?\s*(?:\w+(?:\.|->))*)" + distance);
+    static const std::regex after(distance + R"(\s*[<>]=?\s*)" + number);
+    if (std::regex_search(line, named)) return true;
+    for (const std::regex *pattern : {&before, &after})
+        for (auto match = std::sregex_iterator(line.begin(), line.end(), *pattern); match != std::sregex_iterator(); ++match)
+            if (std::stod((*match)[1]) != 0) return true;
+    return false;
+}
+
+/// Functions of OpenCL's library that are not exact or correctly rounded.
+bool has_library_function(const std::string &line) {
+    static const std::regex pattern(
+        R"(\b(?:native_\w+|half_\w+|fast_\w+|a?sin(?:h|pi)?|a?cos(?:h|pi)?|a?tan(?:h|pi)?|atan2(?:pi)?|sincos|exp(?:2|10|m1)?|log(?:2|10|1p|b)?|)"
+        R"(pow[nr]?|rootn|cbrt|hypot|rsqrt|erfc?|[lt]gamma|mad|mix|smoothstep|dot|cross|length|distance|normalize)\s*\()");
+    return std::regex_search(line, pattern);
+}
+
+bool turns_contraction_on(const std::string &line) {
+    static const std::regex pattern(R"(FP_CONTRACT\s+(ON|DEFAULT)|fast-relaxed-math|mad-enable)");
+    return std::regex_search(line, pattern);
+}
+
+void expect_none(const std::vector<std::string> &offences) {
+    for (const std::string &offence : offences) ADD_FAILURE() << offence;
+}
+
+TEST(NoEpsilon, NoDistanceAlongARayIsComparedWithANumberBut0) { expect_none(offences(has_epsilon)); }
+
+TEST(NoEpsilon, NoLibraryFunctionThatDevicesRoundDifferently) { expect_none(offences(has_library_function)); }
+
+TEST(NoEpsilon, ContractionIsOffInEveryKernelFile) {
+    expect_none(offences(turns_contraction_on));
+    EXPECT_NE(expand_source("kernels/core/portable.h", {}).find("#pragma OPENCL FP_CONTRACT OFF"), std::string::npos);
+    for (const EmbeddedFile &file : embedded_kernels()) {
+        if (file.text.find("\nkernel void ") == std::string_view::npos) continue;
+        EXPECT_NE(file.text.find("#include \"kernels/"), std::string_view::npos) << file.path << " includes nothing, so not portable.h either";
+    }
+}
+
+TEST(NoEpsilon, TheSearchFindsEpsilons) {
+    for (const std::string line : {"if (t > 0.001f) return;", "hit = crossing.t > 1e-4f;", "t0 >= 0x1p-10f", "ray.t_max<-1.0f", "near > 1.f",
+                                   "x & (1e-3f < t)", "0.5f <= hit->t", "t[j] > .01f", "near > (float8)(0.001f)", "const float EPSILON = 1e-3f;",
+                                   "t > 0.0001f", "t1 > 0.0f ? a : b; distance < 1e30f"})
+        EXPECT_EQ(offences("x.cl", line, has_epsilon).size(), 1u) << line;
+}
+
+TEST(NoEpsilon, TheSearchLeavesTheRestAlone) {
+    for (const std::string line : {"if (t > 0.0f) return;", "crossing.hit &= t0 > 0.0f & t0 <= ray.t_max;", "t > (float8)(0.0f)", "ray.t_max >= 0.0f",
+                                   "t > 0", "high > 129.0f ? a : b", "// t > 0.001f", "cost > 0.5f", "first > 1u", "0.0f < t", "near <= far"})
+        EXPECT_EQ(offences("x.cl", line, has_epsilon).size(), 0u) << line;
+}
+
+TEST(NoEpsilon, TheSearchFindsLibraryFunctions) {
+    for (const std::string line :
+         {"x = exp(y);", "x = native_sqrt(y);", "pow (a, b)", "length(v)", "a = mad(b, c, d);", "rsqrt(x)", "half_recip(x)", "acos(x)"})
+        EXPECT_EQ(offences("x.cl", line, has_library_function).size(), 1u) << line;
+    for (const std::string line :
+         {"x = exponential(y);", "power(a, b)", "sqrt(x)", "fma(a, b, c)", "float distance = sqrt(x);", "dot3(a, b)", "// exp(x)"})
+        EXPECT_EQ(offences("x.cl", line, has_library_function).size(), 0u) << line;
+}
+
+}  // namespace
+}  // namespace brandung

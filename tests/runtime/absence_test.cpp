@@ -1,0 +1,178 @@
+/// What a scene doesn't use is neither compiled, nor launched, nor allocated; and what lint sees is what scenes can use.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+
+#include "runtime/opencl/embedded_kernels.h"
+#include "runtime/wavefront/specialization.h"
+#include "scene/accelerators/accelerator.h"
+#include "tests/support/probe.h"
+#include "tests/support/rendering.h"
+#include "tests/support/scenes.h"
+
+namespace brandung {
+namespace {
+
+Scene scene_with(const Material &material) {
+    Scene scene;
+    scene.cameras.push_back({.name = "camera", .from = {0, 0, 5}, .at = {0, 0, 0}});
+    scene.film.width = scene.film.height = 8;
+    add_material(scene, material);
+    return scene;
+}
+
+Scene spheres_only(const Material &material) {
+    Scene scene = scene_with(material);
+    add_sphere(scene, 0, {0, 0, 0}, 1);
+    scene.lights.push_back(point_light({3, 3, 3}, Spectrum(10)));
+    return scene;
+}
+
+Scene triangles_only(const Material &material) {
+    Scene scene = scene_with(material);
+    add_triangle(scene, 0, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0});
+    scene.lights.push_back(directional_light({0, 0, 1}, Spectrum(1)));
+    return scene;
+}
+
+Scene everything() {
+    Scene scene = spheres_only(glass(1.5f));
+    add_soup(scene, 0, {.spheres = 1, .triangles = 1, .smooth_triangles = 1, .frusta = 1});
+    scene.lights.push_back(directional_light({0, 0, 1}, Spectrum(1)));
+    return scene;
+}
+
+/// The expanded text of every kernel file, without comments.
+std::map<std::string, std::string> expanded(const Scene &scene) {
+    std::map<std::string, std::string> texts;
+    const Sources lists = specialize(compile(scene));
+    for (const EmbeddedFile &file : embedded_kernels())
+        if (file.text.find("\nkernel void ") != std::string_view::npos)
+            texts[std::string(file.path)] = std::regex_replace(expand_source(std::string(file.path), lists), std::regex(R"(//[^\n]*)"), "");
+    return texts;
+}
+
+void expect_absent(const Scene &scene, const std::vector<std::string> &words) {
+    const auto texts = expanded(scene);
+    EXPECT_GT(texts.size(), 8u);
+    for (const auto &[file, text] : texts)
+        for (const std::string &word : words) {
+            const auto place = std::search(text.begin(), text.end(), word.begin(), word.end(), [](char a, char b) { return std::tolower(a) == b; });
+            EXPECT_TRUE(place == text.end()) << file << " has " << word << ": " << std::string(place, place + std::min<long>(60, text.end() - place));
+        }
+}
+
+void expect_present(const Scene &scene, const std::string &file, const std::string &word) {
+    EXPECT_NE(expanded(scene).at(file).find(word), std::string::npos) << word << " in " << file;
+}
+
+TEST(Absence, ASceneOfSpheresHasNoOtherPrimitivesCode) {
+    expect_absent(spheres_only(matte(0.5f)), {"triangle", "frustum"});
+    expect_present(spheres_only(matte(0.5f)), "kernels/stages/intersect.cl", "sphere_crossing");
+    expect_present(everything(), "kernels/stages/intersect.cl", "frustum_crossing");
+}
+
+TEST(Absence, ASceneOfTrianglesHasNoOtherPrimitivesCode) { expect_absent(triangles_only(matte(0.5f)), {"sphere", "frustum", "smooth"}); }
+
+TEST(Absence, LightsOfOtherKindsAreNotThere) {
+    expect_absent(spheres_only(matte(0.5f)), {"directional"});
+    expect_absent(triangles_only(matte(0.5f)), {"point_sample", "attenuation"});
+    expect_present(everything(), "kernels/integrators/whitted.cl", "directional_sample");
+}
+
+TEST(Absence, WithoutTransparentMaterialsThereAreNoListsOfMedia) {
+    for (const Material &material : {matte(0.5f), mirror(0.5f)}) expect_absent(spheres_only(material), {"core/interior.cl", "for_each_entry"});
+    expect_present(spheres_only(glass(1.5f)), "kernels/integrators/whitted.cl", "core/interior.cl");
+}
+
+TEST(Absence, OtherAcceleratorsAreNotThere) {
+    Scene scene = spheres_only(matte(0.5f));
+    for (const AcceleratorKind &chosen : accelerator_kinds()) {
+        scene.accelerator = chosen.name;
+        for (const AcceleratorKind &other : accelerator_kinds()) {
+            if (other.name != chosen.name) expect_absent(scene, {std::string("accelerators/") + other.name + ".cl"});
+        }
+        expect_present(scene, "kernels/stages/intersect.cl", std::string("accelerators/") + chosen.name + ".cl");
+    }
+}
+
+/// Kernels launched by a render.
+std::set<std::string> launched_by(const Scene &scene) {
+    std::map<std::string, std::uint64_t> before;
+    for (const auto &[name, profile] : test_device().profile()) before[name] = profile.launches;
+    render_scene(scene);
+    test_device().finish();
+    std::set<std::string> launched;
+    for (const auto &[name, profile] : test_device().profile())
+        if (profile.launches > before[name]) launched.insert(name);
+    return launched;
+}
+
+TEST(Absence, WhatASceneDoesNotNeedIsNotLaunched) {
+    Scene dark = spheres_only(matte(0.5f));
+    dark.lights.clear();
+    const auto opaque = launched_by(spheres_only(matte(0.5f))), unlit = launched_by(dark), shiny = launched_by(spheres_only(mirror(0.5f)));
+    EXPECT_TRUE(opaque.contains("trace_shadow_rays"));
+    for (const char *kernel : {"trace_shadow_rays", "spawn_shadow_rays"}) EXPECT_FALSE(unlit.contains(kernel)) << kernel;
+    EXPECT_FALSE(opaque.contains("spawn_whitted"));
+    EXPECT_TRUE(shiny.contains("spawn_whitted"));
+}
+
+TEST(Absence, WhatASceneDoesNotNeedIsNotAllocated) {
+    const auto wave_bytes = [](const Scene &scene) {
+        const CompiledScene compiled = compile(scene);
+        const DeviceScene on_device(test_device(), compiled);
+        return Renderer(test_device(), scene, compiled, on_device, scene.cameras[0], {}).wave_bytes();
+    };
+    Scene dark = spheres_only(matte(0.5f));
+    dark.lights.clear();
+    EXPECT_LT(wave_bytes(dark), wave_bytes(spheres_only(matte(0.5f))));
+    EXPECT_LT(wave_bytes(spheres_only(matte(0.5f))), wave_bytes(spheres_only(mirror(0.5f))));
+    EXPECT_LT(wave_bytes(spheres_only(mirror(0.5f))), wave_bytes(spheres_only(glass(1.5f))));
+}
+
+TEST(Absence, AProgramIsTheSameForScenesThatDifferInNumbersOnly) {
+    Scene other = spheres_only(matte(0.7f));
+    add_sphere(other, 0, {2, 0, 0}, 0.5f);
+    other.lights.push_back(point_light({-3, 3, 3}, Spectrum(1)));
+    other.integrator.max_depth = 17;
+    EXPECT_EQ(expanded(spheres_only(matte(0.5f))), expanded(other));
+}
+
+/// The lines of a generated file that hold a list, sorted by content: kinds are numbered by their scene.
+std::set<std::string> listed_names(const std::string &text) {
+    std::set<std::string> names;
+    static const std::regex entry(R"(X\(\d+, (\w+), (\w+)\))"), include(R"re(#include "([^"]+)")re");
+    for (auto match = std::sregex_iterator(text.begin(), text.end(), entry); match != std::sregex_iterator(); ++match)
+        names.insert((*match)[1].str() + " " + (*match)[2].str());
+    for (auto match = std::sregex_iterator(text.begin(), text.end(), include); match != std::sregex_iterator(); ++match) names.insert((*match)[1]);
+    return names;
+}
+
+TEST(Lint, ItsListsNameEveryKindAndFileThatSpecialisationCanMake) {
+    const std::filesystem::path stubs = BRANDUNG_SOURCE_DIR "/tests/kernels/all_kinds";
+    const Sources lists = specialize(compile(everything()));
+    for (const auto &[path, text] : lists) {
+        std::ifstream in(stubs / path);
+        ASSERT_TRUE(in) << path << " has no stub for lint";
+        const std::string stub{std::istreambuf_iterator<char>(in), {}};
+        EXPECT_EQ(listed_names(stub), listed_names(text)) << path;
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);)
+            if (line.starts_with("#define ")) {
+                const std::string name = line.substr(0, line.find_first_of(" (", 8));
+                EXPECT_NE(stub.find(name), std::string::npos) << path << ": " << name;
+            }
+    }
+    for (const auto &file : std::filesystem::recursive_directory_iterator(stubs))
+        if (file.is_regular_file()) {
+            EXPECT_TRUE(lists.contains(std::filesystem::relative(file.path(), stubs).string())) << file.path() << " stands for nothing";
+        }
+}
+
+}  // namespace
+}  // namespace brandung
