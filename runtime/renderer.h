@@ -36,7 +36,7 @@ private:
     RenderOptions options_;
     Camera camera_;
     std::vector<uint> interior_;  ///< media that the eye is in
-    uint samples_per_batch_;  ///< of one pixel
+    uint samples_per_batch_;      ///< of one pixel
     std::unique_ptr<Integrator> integrator_;
     Buffer<uint> pixels_;
     Buffer<Sample> samples_;

@@ -27,10 +27,7 @@ public:
         std::copy(records.begin(), records.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(offset));
         return {static_cast<uint>(offset / 64), static_cast<uint>(count)};
     }
-    template <class T>
-    Span add(const std::vector<T> &records) {
-        return add(std::as_bytes(std::span(records)), records.size());
-    }
+    template <class T> Span add(const std::vector<T> &records) { return add(std::as_bytes(std::span(records)), records.size()); }
 
 private:
     std::vector<std::byte> &bytes_;
@@ -63,7 +60,8 @@ uint number_of(const std::vector<const PrimitiveKind *> &kinds, const PrimitiveK
 }
 
 /// Blocks of one kind; lanes without a primitive are all ones: no number, and NaN, which no ray meets.
-std::vector<std::byte> write_blocks(const PrimitiveKind &kind, const std::vector<PrimitiveBlock> &blocks, const std::vector<PrimitiveOf> &primitives) {
+std::vector<std::byte> write_blocks(const PrimitiveKind &kind, const std::vector<PrimitiveBlock> &blocks,
+                                    const std::vector<PrimitiveOf> &primitives) {
     std::vector<std::byte> bytes(blocks.size() * kind.block_bytes, std::byte{0xff});
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         std::byte *block = bytes.data() + b * kind.block_bytes;
@@ -117,8 +115,7 @@ void add_primitives(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     compiled.header.vertex_normals = arena.add(tables.vertex_normals);
 }
 
-template <class Records>
-std::vector<uint> kinds_of(const Records &records) {
+template <class Records> std::vector<uint> kinds_of(const Records &records) {
     std::vector<uint> kinds;
     for (const auto &record : records) kinds.push_back(record.kind);
     std::sort(kinds.begin(), kinds.end());

@@ -43,7 +43,8 @@ bool takes_floats(const OIIO::ImageOutput &output) {
 
 void write_pixels(OIIO::ImageOutput &output, const std::string &temporary, const std::string &file, const Picture &picture, float exposure) {
     const bool floats = takes_floats(output);
-    OIIO::ImageSpec spec(static_cast<int>(picture.width), static_cast<int>(picture.height), 3, floats ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+    OIIO::ImageSpec spec(static_cast<int>(picture.width), static_cast<int>(picture.height), 3,
+                         floats ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
     spec.attribute("oiio:ColorSpace", floats ? "Linear" : "sRGB");
     spec.attribute("compression", "zip");
     for (const auto &[name, value] : picture.metadata) spec.attribute(name, value);

@@ -14,7 +14,7 @@ namespace brandung {
 struct CameraDescription {
     std::string name;
     vec3 from{0, 0, 1}, at{0, 0, 0}, up{0, 1, 0};
-    float fov = 0.78539816f;           ///< full vertical angle [radians]
+    float fov = 0.78539816f;          ///< full vertical angle [radians]
     std::vector<std::string> inside;  ///< names of the transparent materials that the eye is in
 };
 

@@ -21,8 +21,8 @@ void list_devices(bool as_json) {
                         {"unsuitable", info.unsuitable},
                         {"chosen", chosen}});
         if (!as_json)
-            fmt::print("{} {} | {} | {} compute units, {} MiB{}\n", chosen ? "*" : " ", info.name, info.platform, info.compute_units, info.memory >> 20,
-                       info.unsuitable.empty() ? "" : " | cannot be used: it " + info.unsuitable);
+            fmt::print("{} {} | {} | {} compute units, {} MiB{}\n", chosen ? "*" : " ", info.name, info.platform, info.compute_units,
+                       info.memory >> 20, info.unsuitable.empty() ? "" : " | cannot be used: it " + info.unsuitable);
     }
     if (as_json) fmt::print("{}\n", list.dump(2));
     if (devices.empty()) throw Error("no OpenCL device found: install one, for a CPU Debian's package pocl-opencl-icd");

@@ -32,8 +32,7 @@ struct Options {
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Runs a phase and gives the seconds it took.
-template <class Phase>
-double timed(Phase phase) {
+template <class Phase> double timed(Phase phase) {
     const double start = now();
     phase();
     return now() - start;
@@ -114,7 +113,8 @@ int render(const Options &options) {
                                          return !interrupted;
                                      }};
         film = std::make_unique<Film>(job->device, scene.film.width, scene.film.height);
-        renderer = std::make_unique<Renderer>(job->device, scene, job->compiled, job->on_device, chosen_camera(scene, options.camera), render_options);
+        renderer =
+            std::make_unique<Renderer>(job->device, scene, job->compiled, job->on_device, chosen_camera(scene, options.camera), render_options);
     });
     progress.clear();
     if (!options.quiet)
@@ -129,7 +129,7 @@ int render(const Options &options) {
     seconds.render = timed([&] { complete = renderer->render(*film); });
     progress.clear();
 
-    RenderReport report{scene,   job->compiled, job->device, renderer->integrator(), seconds, job->on_device.bytes(), renderer->wave_bytes(),
+    RenderReport report{scene,         job->compiled,  job->device, renderer->integrator(), seconds, job->on_device.bytes(), renderer->wave_bytes(),
                         film->bytes(), film->clamped()};
     Picture picture{scene.film.width, scene.film.height, film->develop(), metadata(scene, job->compiled, statistics(report))};
     report.seconds.write = timed([&] {
@@ -137,7 +137,8 @@ int render(const Options &options) {
     });
     report.seconds.total = now() - start;
     if (!options.stats.empty()) write_text(options.stats, statistics(report).dump(2) + "\n");
-    if (const auto refused = renderer->integrator().refused()) fmt::print(stderr, "warning: {} contributions were not finite and were left out\n", refused);
+    if (const auto refused = renderer->integrator().refused())
+        fmt::print(stderr, "warning: {} contributions were not finite and were left out\n", refused);
     if (report.clamped) fmt::print(stderr, "warning: {} samples were brighter than 65536 and were cut\n", report.clamped);
     if (!complete) fmt::print(stderr, "interrupted: the picture so far has been written\n");
     return complete ? 0 : interrupted_status;
@@ -149,7 +150,10 @@ void add_render(CLI::App &app, int &status) {
     CLI::App *command = app.add_subcommand("render", "render a scene to one or more pictures");
     auto options = std::make_shared<Options>();
     command->add_option("scene", options->scene, "scene file: .json (native) or .nff")->required();
-    command->add_option("-o,--output", options->outputs, "picture to write, its format by extension; several allowed")->required()->expected(1)->take_all();
+    command->add_option("-o,--output", options->outputs, "picture to write, its format by extension; several allowed")
+        ->required()
+        ->expected(1)
+        ->take_all();
     command->add_option("--integrator", options->integrator, "how light gets to the eye (default: the scene's)");
     command->add_option("--accelerator", options->accelerator, "wide_bvh, none or auto (default: the scene's)");
     command->add_option("--spp", options->spp, "samples per pixel")->check(CLI::PositiveNumber);
@@ -158,7 +162,9 @@ void add_render(CLI::App &app, int &status) {
     command->add_option("--pixel", options->pixel, "where a single sample lies: corner, center or random");
     command->add_option("--camera", options->camera, "name of the scene's camera to use (default: the first)");
     command->add_option("--max-depth", options->max_depth, "rays in a chain, the eye ray being 1")->check(CLI::PositiveNumber);
-    command->add_option("--set", options->assignments, "any setting of the scene file, as KEY=VALUE, such as integrator.threshold=0.01")->expected(1)->take_all();
+    command->add_option("--set", options->assignments, "any setting of the scene file, as KEY=VALUE, such as integrator.threshold=0.01")
+        ->expected(1)
+        ->take_all();
     command->add_option("--device", options->device, "OpenCL device whose name contains this");
     command->add_option("--batch", options->batch, "rays per wave")->check(CLI::Range(1u, 1u << 24))->capture_default_str();
     command->add_option("--threads", options->threads, "compute units to use of a CPU (default: all)");

@@ -61,7 +61,10 @@ json kernel_statistics(const Profile &profile) {
 }  // namespace
 
 json scene_contents(const Scene &scene, const CompiledScene &compiled) {
-    json contents = {{"primitives", compiled.primitive_count}, {"triangles", 0}, {"lights", scene.lights.size()}, {"materials", scene.materials.size()},
+    json contents = {{"primitives", compiled.primitive_count},
+                     {"triangles", 0},
+                     {"lights", scene.lights.size()},
+                     {"materials", scene.materials.size()},
                      {"cameras", scene.cameras.size()}};
     for (std::size_t kind = 0; kind < compiled.primitives.size(); ++kind) {
         const std::string name = compiled.primitives[kind]->name;

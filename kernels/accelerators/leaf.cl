@@ -83,19 +83,19 @@ FUNCTION bool block_occludes(Scene scene, uint kind, uint block, const ray_x8 *r
 
 /// block_closest_hit for a packet.
 FUNCTION void block_closest_hits(Scene scene, uint kind, uint block, ray_x16 *ray, PacketHits *hits) {
-#define CROSS_EACH(KIND, Record, name)                                                                                 \
-    if (kind == KIND) {                                                                                                \
-        const global Record##Block *b = SCENE_ARRAY(scene, Record##Block, blocks[KIND]) + block;                       \
-        for (uint j = 0u; j < BLOCK_SIZE && b->primitive[j] != NO_HIT; ++j) {                                          \
-            const crossing_x16 crossing = name##_crossing(b, j, *ray);                                                 \
-            if (mask_bits(crossing.hit) == 0u) continue;                                                               \
-            const uint16 primitive = (uint16)(b->primitive[j]);                                                        \
-            const int16 better = crossing.hit & ((crossing.t < ray->t_max) | (primitive < hits->primitive));           \
-            ray->t_max = better ? crossing.t : ray->t_max;                                                             \
-            hits->u = better ? crossing.u : hits->u;                                                                   \
-            hits->v = better ? crossing.v : hits->v;                                                                   \
-            hits->primitive = better ? primitive : hits->primitive;                                                    \
-        }                                                                                                              \
+#define CROSS_EACH(KIND, Record, name)                                                                       \
+    if (kind == KIND) {                                                                                      \
+        const global Record##Block *b = SCENE_ARRAY(scene, Record##Block, blocks[KIND]) + block;             \
+        for (uint j = 0u; j < BLOCK_SIZE && b->primitive[j] != NO_HIT; ++j) {                                \
+            const crossing_x16 crossing = name##_crossing(b, j, *ray);                                       \
+            if (mask_bits(crossing.hit) == 0u) continue;                                                     \
+            const uint16 primitive = (uint16)(b->primitive[j]);                                              \
+            const int16 better = crossing.hit & ((crossing.t < ray->t_max) | (primitive < hits->primitive)); \
+            ray->t_max = better ? crossing.t : ray->t_max;                                                   \
+            hits->u = better ? crossing.u : hits->u;                                                         \
+            hits->v = better ? crossing.v : hits->v;                                                         \
+            hits->primitive = better ? primitive : hits->primitive;                                          \
+        }                                                                                                    \
     }
     FOR_EACH_PRIMITIVE(CROSS_EACH)
 #undef CROSS_EACH

@@ -16,7 +16,8 @@ FUNCTION Split where(int c, Split a, Split b) {
 
 FUNCTION Spectrum bsdf_ambient(const global Material *m) {
     Spectrum result = make3(0.0f, 0.0f, 0.0f);
-#define CASE(KIND, View, name) ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_ambient(m), result);
+#define CASE(KIND, View, name) \
+    ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_ambient(m), result);
     FOR_EACH_BSDF(CASE)
 #undef CASE
     return result;
@@ -30,7 +31,8 @@ FUNCTION Phong where(int c, Phong a, Phong b) {
 
 FUNCTION Phong bsdf_phong(const global Material *m) {
     Phong result = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, 1.0f};
-#define CASE(KIND, View, name) ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_phong(m), result);
+#define CASE(KIND, View, name) \
+    ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_phong(m), result);
     FOR_EACH_BSDF(CASE)
 #undef CASE
     return result;

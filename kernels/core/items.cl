@@ -7,9 +7,9 @@
 #pragma clang diagnostic ignored "-Wpass-failed"
 #define ITEMS_PER_WORK_ITEM 64u
 /// One chunk of items that the compiler makes 16 wide. The body must be flat, and no two items of a chunk may write one address.
-#define FOR_EACH_ITEM(i, count)                                                                                      \
-    const uint first_item_ = get_global_id(0) * ITEMS_PER_WORK_ITEM;                                                 \
-    const uint last_item_ = min(first_item_ + ITEMS_PER_WORK_ITEM, count);                                           \
+#define FOR_EACH_ITEM(i, count)                                            \
+    const uint first_item_ = get_global_id(0) * ITEMS_PER_WORK_ITEM;       \
+    const uint last_item_ = min(first_item_ + ITEMS_PER_WORK_ITEM, count); \
     _Pragma("clang loop vectorize(assume_safety) vectorize_width(16)") for (uint i = first_item_; i < last_item_; ++i)
 /// All lanes compute every kind and select.
 #define ONLY_IF(condition)

@@ -35,10 +35,10 @@ typedef struct {
     uint passes;          ///< interfaces passed that a medium of higher priority hides
 } Path;
 
-#define SURFACE_HIT 1u         ///< the ray hit something
-#define SURFACE_ENTERS 2u      ///< it comes from outside the object
-#define SURFACE_PASSES 4u      ///< a medium of higher priority hides the interface: the ray goes straight on
-#define SURFACE_LIT 8u         ///< light from lights can be seen on it
+#define SURFACE_HIT 1u          ///< the ray hit something
+#define SURFACE_ENTERS 2u       ///< it comes from outside the object
+#define SURFACE_PASSES 4u       ///< a medium of higher priority hides the interface: the ray goes straight on
+#define SURFACE_LIT 8u          ///< light from lights can be seen on it
 #define SURFACE_LIT_BEYOND 16u  ///< and falls on the side away from `wo`: a transparent object's outside, seen from inside
 
 // A surface point is three records, so that each stage reads whole ones: the compiler reads consecutive whole records by shuffles, but takes
@@ -46,16 +46,17 @@ typedef struct {
 
 /// Where a ray met the scene, as lights see it; 32 bytes.
 typedef struct {
-    vec3 origin;    ///< of rays to the lights: the point moved off the surface by its error bound, to the side where light falls
+    vec3 origin;  ///< of rays to the lights: the point moved off the surface by its error bound, to the side where light falls
     uint material;
-    vec3 normal;    ///< shading normal on that side, unit length
-    uint flags;     ///< SURFACE_...
+    vec3 normal;  ///< shading normal on that side, unit length
+    uint flags;   ///< SURFACE_...
 } SurfacePoint;
 
-/// What else secondary rays need; 16 bytes.
+/// What else secondary rays need; 28 bytes.
 typedef struct {
-    vec3 beyond;  ///< the point moved off to the other side
-    float eta;    ///< index of refraction on the side of `wo` over that beyond
+    vec3 beyond;     ///< the point moved off to the other side
+    vec3 geometric;  ///< geometric normal on the side where light falls, unit length
+    float eta;       ///< index of refraction on the side of `wo` over that beyond
 } SurfaceInterface;
 
 /// Rays and hits that one work-item of a tracing stage has seen, by kind of ray.

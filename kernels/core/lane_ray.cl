@@ -40,8 +40,8 @@ FUNCTION LaneRay lane_ray(real3 origin, real3 direction, real t_max, uint kz, fl
 
 /// A crossing counts only within its primitive's own box, where it is moved if rounding took it before the box. So no box around can lose it.
 FUNCTION Crossing within_box(Crossing crossing, real3 low, real3 high, LaneRay ray) {
-    const real3 a = make3(fma(low.x, ray.inverse.x, ray.shift_low.x), fma(low.y, ray.inverse.y, ray.shift_low.y),
-                          fma(low.z, ray.inverse.z, ray.shift_low.z));
+    const real3 a =
+        make3(fma(low.x, ray.inverse.x, ray.shift_low.x), fma(low.y, ray.inverse.y, ray.shift_low.y), fma(low.z, ray.inverse.z, ray.shift_low.z));
     const real3 b = make3(fma(high.x, ray.inverse.x, ray.shift_high.x), fma(high.y, ray.inverse.y, ray.shift_high.y),
                           fma(high.z, ray.inverse.z, ray.shift_high.z));
     const real near = largest(minimum(a, b));

@@ -15,7 +15,7 @@ typedef struct {
 /// Which samples of which pixels a batch holds: slot = pixel in batch × samples + sample - first_sample.
 typedef struct {
     uint pixels, first_sample, samples;
-    uint spp;             ///< samples per pixel of the whole render
+    uint spp;            ///< samples per pixel of the whole render
     uint columns, rows;  ///< their grid: columns * rows = spp
     uint seed;
     uint position;  ///< PIXEL_...

@@ -19,9 +19,8 @@ FUNCTION bool worth_tracing(Spectrum throughput, WhittedParams params, uint flag
 /// An interface that a medium of higher priority hides is passed straight on by the refracted ray, at no depth.
 kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const global Path *restrict paths,
                           const global SurfacePoint *restrict points, const global SurfaceInterface *restrict interfaces,
-                          const global vec3 *restrict directions, const global uint *restrict interiors, uint base,
-                          global Ray *restrict children, global Path *restrict child_paths, global uint *restrict child_interiors,
-                          global uchar *restrict child_alive) {
+                          const global vec3 *restrict directions, const global uint *restrict interiors, uint base, global Ray *restrict children,
+                          global Path *restrict child_paths, global uint *restrict child_interiors, global uchar *restrict child_alive) {
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     const global uint *list = live + first;
@@ -36,8 +35,6 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
         const vec3 wo = load(directions + i);
         const bool lit_beyond = (surface.flags & SURFACE_LIT_BEYOND) != 0u;
         const vec3 normal = where(lit_beyond, negate(surface.normal), surface.normal);
-        const vec3 origin = where(lit_beyond, interface.beyond, surface.origin);
-        const vec3 beyond = where(lit_beyond, surface.origin, interface.beyond);
         const global Material *material = materials + surface.material;
         const bool hit = (surface.flags & SURFACE_HIT) != 0u, passes = (surface.flags & SURFACE_PASSES) != 0u;
         const bool goes_on = hit & !passes & (path.depth < params.max_depth);
@@ -51,7 +48,7 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
         const Spectrum reflected = times(path.throughput, split.reflected);
         const vec3 mirrored = unit(minus(scaled(normal, 2.0f * cosine), wo));
         const bool reflects = ((material->flags & MATERIAL_REFLECTS) != 0u) | total;
-        mirrored_rays[i] = ray_spawn(origin, mirrored, RAY_REFLECTED);
+        mirrored_rays[i] = ray_spawn(spawn_side(surface, interface, mirrored), mirrored, RAY_REFLECTED);
         Path child = path;
         child.throughput = reflected;
         child.depth = path.depth + 1u;
@@ -63,13 +60,13 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
             const Interior inside = interior_load(interiors, k);
             interior_store(child_interiors, base + i, inside);
             const bool enters = (surface.flags & SURFACE_ENTERS) != 0u;
-            const Interior inside_beyond =
-                where(enters, interior_entered(inside, surface.material), interior_left(inside, surface.material));
+            const Interior inside_beyond = where(enters, interior_entered(inside, surface.material), interior_left(inside, surface.material));
             const Spectrum refracted = where(passes, path.throughput, times(path.throughput, split.refracted));
             const float bend = interface.eta * cosine - sqrt(maximum(cosine_squared_beyond, 0.0f));
             const vec3 straight = negate(wo);
             const vec3 bent = unit(plus(scaled(straight, interface.eta), scaled(normal, bend)));
-            refracted_rays[i] = ray_spawn(beyond, where(passes, straight, bent), RAY_REFRACTED);
+            const vec3 onward = where(passes, straight, bent);
+            refracted_rays[i] = ray_spawn(spawn_side(surface, interface, onward), onward, RAY_REFRACTED);
             interior_store(child_interiors, base + count + i, inside_beyond);
             child.throughput = refracted;
             child.depth = passes ? path.depth : path.depth + 1u;

@@ -14,7 +14,8 @@ FUNCTION LightSample where(int c, LightSample a, LightSample b) {
 /// Light from `light` at p.
 FUNCTION LightSample light_sample(Light light, vec3 p) {
     LightSample sample = {{0.0f, 0.0f, 0.0f}, 0.0f, {0.0f, 0.0f, 0.0f}, 0.0f};
-#define CASE(KIND, View, name) ONLY_IF(light.kind == KIND) sample = where(light.kind == KIND, name##_sample(light, p), sample);
+#define CASE(KIND, View, name) \
+    ONLY_IF(light.kind == KIND) sample = where(light.kind == KIND, name##_sample(light, p), sample);
     FOR_EACH_LIGHT(CASE)
 #undef CASE
     return sample;

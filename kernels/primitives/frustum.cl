@@ -20,7 +20,8 @@ FUNCTION Surface frustum_surface(Scene scene, const global ShadingRecord *record
     const FrustumShading frustum = frustum_view(record);
     const vec3 f = plus(minus(ray.origin, frustum.center), scaled(ray.direction, hit.t));
     const float z = dot3(f, frustum.axis);
-    const vec3 outward = unit(minus(f, scaled(frustum.axis, z)));
+    const vec3 x = minus(f, scaled(frustum.axis, z));
+    const vec3 outward = where(dot3(x, x) > 0.0f, unit(x), make3(0.0f, 0.0f, 0.0f));  // at the very tip the normal is the axis
     const float radius = maximum(fma(frustum.slope, z, frustum.radius), 0.0f);
     Surface surface;
     surface.p = plus(frustum.center, plus(scaled(frustum.axis, z), scaled(outward, radius)));

@@ -38,7 +38,8 @@ FUNCTION Crossing frustum_crossing(const global FrustumBlock *block, uint j, Lan
 
     const real fz = dot3(f, axis), fr = fma(slope, fz, radius);
     const real3 fx = minus(f, scaled(axis, fz));
-    const mask starts_on = fabs(dot3(fx, fx) - fr * fr) <= 0x1p-20f * fabs(fr) * (fabs(fr) + fabs(fz));
+    const real width = fabs(fr) + fabs(r) + sqrt(dot3(x, x));  // near the tip the coefficients' rounding is that of the wider place at m
+    const mask starts_on = fabs(dot3(fx, fx) - fr * fr) <= 0x1p-20f * width * (width + fabs(fz) + fabs(mz));
     const mask first_is_start = fabs(t0) < fabs(t1);
     // The surface's gradient along the ray tells whether a crossing is seen from outside.
     const real side = LANE(block->side, j);

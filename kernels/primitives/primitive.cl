@@ -21,7 +21,8 @@ FUNCTION Surface primitive_surface(Scene scene, const global ShadingRecord *reco
     Surface surface;
     surface.p = ray.origin, surface.error = make3(0.0f, 0.0f, 0.0f);
     surface.geometric = negate(ray.direction), surface.normal = surface.geometric;
-#define CASE(KIND, Record, name) ONLY_IF(record->kind == KIND) surface = where(record->kind == KIND, name##_surface(scene, record, ray, hit), surface);
+#define CASE(KIND, Record, name) \
+    ONLY_IF(record->kind == KIND) surface = where(record->kind == KIND, name##_surface(scene, record, ray, hit), surface);
     FOR_EACH_PRIMITIVE(CASE)
 #undef CASE
     return surface;

@@ -19,7 +19,7 @@ FUNCTION Crossing sphere_crossing(const global SphereBlock *block, uint j, LaneR
     const real ff = dot3(f, f);
     const real c = ff - radius * radius;
     const real q = b + copysign(sqrt(a * discriminant), b);
-    const mask starts_on = fabs(c) <= 0x1p-22f * ff;
+    const mask starts_on = fabs(c) <= 0x1p-21f * ff;
     const real other = where(starts_on, (real)(-1.0f), c / q);  // the root that is 0 at the surface
     const real near = minimum(other, q / a), far = maximum(other, q / a);
     crossing.t = where((near > 0.0f) & (radius > 0.0f), near, far);

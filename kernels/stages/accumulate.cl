@@ -5,8 +5,8 @@
 #include "kernels/core/scene.cl"
 #pragma OPENCL EXTENSION cl_khr_int64_base_atomics : enable
 
-/// In units of 2^-32, to the nearest; magnitudes beyond 2^30 are cut, so that a sample's sum cannot wrap.
-FUNCTION int64 fixed_point(float x) { return (int64)rint(minimum(maximum(x, -0x1p30f), 0x1p30f) * 0x1p32f); }
+/// In units of 2^-32, to the nearest. Magnitudes are cut at 2^17, so that no sample's sum can wrap; add_samples cuts, and counts, beyond 2^16.
+FUNCTION int64 fixed_point(float x) { return (int64)rint(minimum(maximum(x, -0x1p17f), 0x1p17f) * 0x1p32f); }
 
 /// Two items may have one sample only where rays branch.
 FUNCTION void add(global int64 *sum, int64 value) {
@@ -18,8 +18,8 @@ FUNCTION void add(global int64 *sum, int64 value) {
 }
 
 /// Adds contributions[i] to the sample of path live[first + i]. refused[0] counts what is not finite.
-kernel void accumulate(LIVE_PARAMS, const global Path *restrict paths, const global Spectrum *restrict contributions,
-                       global Sample *restrict samples, global uint *restrict refused) {
+kernel void accumulate(LIVE_PARAMS, const global Path *restrict paths, const global Spectrum *restrict contributions, global Sample *restrict samples,
+                       global uint *restrict refused) {
     FOR_EACH_ITEM_SERIALLY(i, count) {
         const Spectrum c = contributions[i];
         if (!isfinite(c.x + c.y + c.z)) {

@@ -32,7 +32,8 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
 
         const bool lit_beyond = transmits & !enters;
         const float lit_side = lit_beyond ? -side : side;
-        const vec3 offset = scaled(surface.geometric, lit_side * dot3(absolute(surface.geometric), surface.error));
+        const vec3 geometric = scaled(surface.geometric, lit_side);
+        const vec3 offset = scaled(geometric, dot3(absolute(geometric), surface.error));
         const uint sides = enters ? SURFACE_ENTERS : lit_beyond ? SURFACE_LIT_BEYOND : 0u;
         const uint lit = (material->flags & MATERIAL_LIT) != 0u ? SURFACE_LIT : 0u;
         SurfacePoint point;
@@ -44,6 +45,7 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
 
         SurfaceInterface interface;
         interface.beyond = spawn_origin(surface.p, negate(offset));
+        interface.geometric = geometric;
         interface.eta = (enters | !transmits) ? around.eta / material->eta : material->eta / around.eta;
         interfaces[i] = interface;
         wo[i] = negate(unit(ray.direction));

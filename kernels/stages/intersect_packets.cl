@@ -2,8 +2,7 @@
 #include "kernels/accelerators/levels.cl"
 
 /// hits[i] is the closest hit of ray live[first + i]; a hit beyond t_max or none has primitive NO_HIT. One tally per work-item.
-kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, global Hit *restrict hits,
-                              global Tally *restrict tallies) {
+kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, global Hit *restrict hits, global Tally *restrict tallies) {
     const Scene scene = SCENE;
     Tally tally = {{0u}, {0u}};
     const uint end = min((uint)(get_global_id(0) + 1u) * ITEMS_PER_WORK_ITEM, count);

@@ -94,8 +94,8 @@ public:
     RayCounts counts() const override { return counter_.read(); }
     std::uint64_t refused() const override { return refused_.read().at(0); }
     std::size_t wave_bytes() const override {
-        return levels_.bytes_at_most() + hits_.bytes() + points_.bytes() + interfaces_.bytes() + directions_.bytes() + contributions_.bytes() + counter_.bytes() +
-               (secondary_ ? secondary_->bytes() : 0) + (shadows_ ? shadows_->bytes() : 0);
+        return levels_.bytes_at_most() + hits_.bytes() + points_.bytes() + interfaces_.bytes() + directions_.bytes() + contributions_.bytes() +
+               counter_.bytes() + (secondary_ ? secondary_->bytes() : 0) + (shadows_ ? shadows_->bytes() : 0);
     }
     std::vector<Skipped> skipped() const override {
         std::vector<Skipped> skipped;
@@ -123,8 +123,8 @@ private:
 
     void spawn(const Wave &wave) {
         Level &below = *wave.children;
-        secondary_->spawn(wave.count, scene_, params_, wave, wave.level.paths, points_, interfaces_, directions_, wave.level.interiors, wave.base, below.rays, below.paths,
-                          below.interiors, secondary_->alive);
+        secondary_->spawn(wave.count, scene_, params_, wave, wave.level.paths, points_, interfaces_, directions_, wave.level.interiors, wave.base,
+                          below.rays, below.paths, below.interiors, secondary_->alive);
         const uint slots = wave.count * branching_;
         secondary_->compact(secondary_->alive, slots, slots, 1, wave.base, below.end, below.live);
     }

@@ -10,8 +10,9 @@ namespace brandung {
 
 RawBuffer::RawBuffer(Device &device, std::size_t bytes) : device_(&device), bytes_(bytes) {
     if (bytes > device.info().largest_allocation)
-        throw Error(fmt::format("{:.1f} MiB do not fit in one allocation of '{}', which takes {:.1f} MiB at most", static_cast<double>(bytes) / (1 << 20),
-                                device.info().name, static_cast<double>(device.info().largest_allocation) / (1 << 20)));
+        throw Error(fmt::format("{:.1f} MiB do not fit in one allocation of '{}', which takes {:.1f} MiB at most",
+                                static_cast<double>(bytes) / (1 << 20), device.info().name,
+                                static_cast<double>(device.info().largest_allocation) / (1 << 20)));
     implementation_ = attempt("allocating " + std::to_string(bytes) + " bytes", [&] {
         return std::make_unique<Implementation>(
             Implementation{cl::Buffer(device.implementation().context, CL_MEM_READ_WRITE, std::max<std::size_t>(bytes, 1))});

@@ -34,8 +34,7 @@ private:
 };
 
 /// `size` records of T.
-template <class T>
-class Buffer : public RawBuffer {
+template <class T> class Buffer : public RawBuffer {
     static_assert(std::is_trivially_copyable_v<T>);
 
 public:

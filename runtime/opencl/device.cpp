@@ -88,8 +88,8 @@ std::string nothing_found(const std::string &name, const std::vector<Candidate> 
 
 Device Device::select(const std::string &name, uint threads) {
     const std::vector<Candidate> all = candidates();
-    const auto chosen =
-        std::find_if(all.begin(), all.end(), [&](const Candidate &candidate) { return candidate.info.unsuitable.empty() && matches(candidate, name); });
+    const auto chosen = std::find_if(all.begin(), all.end(),
+                                     [&](const Candidate &candidate) { return candidate.info.unsuitable.empty() && matches(candidate, name); });
     if (chosen == all.end()) throw Error(nothing_found(name, all));
     return attempt("device '" + chosen->info.name + "'", [&] {
         auto implementation = std::make_unique<Implementation>();

@@ -28,8 +28,7 @@ struct Device::Implementation {
 };
 
 /// Calls OpenCL; an exception of the bindings becomes an Error that says what was attempted.
-template <class Call>
-auto attempt(const std::string &what, Call call) {
+template <class Call> auto attempt(const std::string &what, Call call) {
     try {
         return call();
     } catch (const cl::Error &error) {

@@ -24,8 +24,7 @@ public:
 
     /// Launches with exactly the kernel's parameters, in order: buffers, trivially copyable values, and things that hand out several
     /// parameters by `for_each_argument`. Returns at once. Throws Error on a wrong number of arguments or a refused launch.
-    template <class... Arguments>
-    void operator()(Grid grid, const Arguments &...arguments) {
+    template <class... Arguments> void operator()(Grid grid, const Arguments &...arguments) {
         if (grid.items == 0 || grid.rows == 0) return;
         uint index = 0;
         (bind(index, arguments), ...);
@@ -35,8 +34,7 @@ public:
     std::size_t work_items(std::size_t items) const;
 
 private:
-    template <class T>
-    void bind(uint &index, const T &value) {
+    template <class T> void bind(uint &index, const T &value) {
         if constexpr (std::is_base_of_v<RawBuffer, T>) {
             set_buffer(index++, value);
         } else if constexpr (requires { value.for_each_argument([](const auto &) {}); }) {

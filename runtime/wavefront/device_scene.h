@@ -11,10 +11,7 @@ public:
     DeviceScene(Device &device, const CompiledScene &scene)
         : header_(device, std::span(&scene.header, 1)), arena_(device, scene.arena), lists_(specialize(scene)) {}
 
-    template <class Bind>
-    void for_each_argument(Bind bind) const {
-        bind(header_), bind(arena_);
-    }
+    template <class Bind> void for_each_argument(Bind bind) const { bind(header_), bind(arena_); }
     /// The generated files of this scene.
     const Sources &lists() const { return lists_; }
     std::size_t bytes() const { return header_.bytes() + arena_.bytes(); }

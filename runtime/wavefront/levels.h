@@ -16,8 +16,8 @@ struct Level {
     Buffer<Path> paths;
     Buffer<uint> interiors;  ///< interior_size entries per slot
     Buffer<uint> live;
-    uint used = 0;           ///< slots taken
-    uint first = 0, end = 0; ///< of `live`: what is waiting
+    uint used = 0;            ///< slots taken
+    uint first = 0, end = 0;  ///< of `live`: what is waiting
     std::size_t bytes() const { return rays.bytes() + paths.bytes() + interiors.bytes() + live.bytes(); }
 };
 
@@ -30,10 +30,7 @@ struct Wave {
     Level *children;  ///< null without branching
     uint base;
 
-    template <class Bind>
-    void for_each_argument(Bind bind) const {
-        bind(level.live), bind(first), bind(count);
-    }
+    template <class Bind> void for_each_argument(Bind bind) const { bind(level.live), bind(first), bind(count); }
 };
 
 /// Hands out waves so that no level ever overflows: a wave takes at most as many items as the next level has free slots for their children.

@@ -163,12 +163,6 @@ TEST(Statistics, HaveEveryPromisedField) {
     for (const json &skipped : stats.at("features").at("skipped")) EXPECT_FALSE(skipped.at("why").get<std::string>().empty()) << skipped;
 }
 
-TEST(Statistics, HaveTheErrorOfThePicture) {
-    const json stats = statistics_of({"--spp", "4"});
-    ASSERT_TRUE(stats.contains("error"));
-    for (const char *name : {"relmse", "confidence_95"}) EXPECT_GE(stats.at("error").at(name).get<double>(), 0) << name;
-}
-
 TEST(Statistics, SecondsOfThePhasesAddUpToNoMoreThanTheTotal) {
     const json seconds = statistics_of({}).at("seconds");
     double sum = 0;
