@@ -270,7 +270,7 @@ INSTANTIATE_TEST_SUITE_P(NestedGlass, TouchingGlass, testing::Bool(), [](const a
 TEST(NestedGlass, OverlappingBodiesOfOneMaterialHaveNoInnerInterface) {
     GlassOverFloor test(3);  // eye ray, inside, outside
     const uint clear = add_clear(test.scene, 1.5f, 0);
-    const Vec centers[] = {{-0.5L, 0, 0}, {0.5L, 0, 0}};
+    const Vec centers[] = {{0, 0.5L, 0}, {0.25L, -0.5L, 0}};
     for (const Vec &center : centers) add_sphere(test.scene, clear, vec3(center), 1);
     std::size_t through_both = 0;
     test.expect(300, [&](const Line &eye) -> std::optional<Real> {
