@@ -63,7 +63,7 @@ const Layouts &host_layouts() {
         RECORD(Hit, t, u, v, primitive),
         RECORD(Path, throughput, slot, branch, depth, bsdf_pdf, passes),
         RECORD(SurfacePoint, origin, material, normal, flags),
-        RECORD(SurfaceInterface, beyond, eta),
+        RECORD(SurfaceInterface, beyond, geometric, eta),
         RECORD(Tally, rays, hits),
         RECORD(Sample, sum),
         RECORD(FilmPixel, sum, odd, squares, count, odd_count),

@@ -51,7 +51,7 @@ TEST(EmbeddedKernels, TheyAreTheFilesOfTheSourceFolderInOrder) {
         EXPECT_LT(before, file.path);
         before = file.path;
         std::ifstream in(BRANDUNG_SOURCE_DIR "/" + std::string(file.path));
-        EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), file.text) << file.path;
+        EXPECT_TRUE(std::string(std::istreambuf_iterator<char>(in), {}) == file.text) << file.path;
     }
     EXPECT_GT(embedded_kernels().size(), 30u);
 }
