@@ -2,7 +2,7 @@
 // Bounding volume hierarchy of 8 children per node: one ray against 8 boxes at a time, or a packet against one box after another.
 #include "kernels/accelerators/wide_bvh.h"
 
-#define BVH_STACK 256u
+#define BVH_STACK (BVH_PENDING + BVH_WIDTH)
 
 /// Bits of the children whose boxes the ray meets before t_max, and where it enters each (never negative).
 FUNCTION uint LEVEL(children)(const global BvhNode *node, const ray_x8 *ray, float8 *enter) {

@@ -6,7 +6,10 @@
 #define BVH_LEAF 0x80000000u   ///< a child word with this bit is a leaf: kind and block of its primitives
 #define BVH_KIND_SHIFT 28u     ///< bits 28..30: the kind's number among those in use
 #define BVH_BLOCK 0x0fffffffu  ///< bits 0..27: the block
-#define BVH_EMPTY 0xffffffffu  ///< no child; its box is inverted
+#define BVH_EMPTY 0xffffffffu  ///< no child; its box is all zeros
+
+/// Children that wait on the stack of a ray when it arrives at a node, at most; the builder sees to it.
+#define BVH_PENDING 128u
 
 /// 256 bytes. Children are sorted by the number of primitives below them, largest first, empty ones last.
 typedef struct {

@@ -13,7 +13,6 @@ namespace brandung {
 namespace {
 
 constexpr uint SERIAL_BELOW = 4096;  // references of a subtree that is one task
-constexpr uint STACK_ENTRIES = 128;  // at most what the stacks of wide_bvh.cl hold
 constexpr uint MOST_SLACK = 16;
 
 // How to cut the binary tree into wide nodes at the least expected cost of a ray, a node and a block costing the same: Ylitie, Karras, Laine,
@@ -185,7 +184,7 @@ BuiltAccelerator build_wide_bvh(std::span<const Reference> references) {
         Collapse collapse(tree);
         cut_subtree(tree, 0, collapse.cuts.get());
         add_node(collapse, 0, 0);
-        if (collapse.stack_entries <= STACK_ENTRIES) {
+        if (collapse.stack_entries <= BVH_PENDING) {
             return built(collapse);
         }
         if (slack == 0) {
