@@ -22,7 +22,7 @@ kernel void accumulate(LIVE_PARAMS, const global Path *restrict paths, const glo
                        global uint *restrict refused) {
     FOR_EACH_ITEM_SERIALLY(i, count) {
         const Spectrum c = contributions[i];
-        if (!isfinite(c.x + c.y + c.z)) {
+        if (!(isfinite(c.x) && isfinite(c.y) && isfinite(c.z))) {
             atomic_inc(refused);
             continue;
         }
