@@ -1,4 +1,4 @@
-// BSDFs of all kinds in use: every kind is evaluated and one selected (DESIGN: flat code).
+// BSDFs of all kinds in use: every kind is evaluated and one selected, since a switch would keep loops over items from vectorising.
 #pragma once
 #include "generated/bsdfs.cl"
 #include "kernels/bsdfs/bsdf.h"

@@ -141,7 +141,7 @@ json statistics_of(const std::vector<std::string> &more, const std::string &scen
 
 }  // namespace
 
-/// The names that DESIGN section 1 promises.
+/// The names that --stats promises.
 TEST(Statistics, HaveEveryPromisedField) {
     const json stats = statistics_of({"--spp", "2"});
     for (const char *name : {"triangles", "primitives", "lights", "materials"}) EXPECT_TRUE(stats.at("scene").at(name).is_number_unsigned()) << name;
