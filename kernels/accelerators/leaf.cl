@@ -1,33 +1,28 @@
 // Blocks of primitives against one ray (8 primitives at a time) or a packet of 16 rays: what every accelerator's leaves call.
 #pragma once
 #include "generated/primitives.cl"
+#include "kernels/accelerators/packet.cl"
 #include "kernels/core/bits.cl"
 #include "kernels/core/items.cl"
 #include "kernels/core/scene.cl"
 
 #include "kernels/core/lanes_8.cl"
 #define LaneRay ray_x8
+#define LaneBox box_x8
 #define Crossing crossing_x8
-#include "kernels/core/lane_ray.cl"
 #include "generated/primitive_hits.cl"
 #undef LaneRay
+#undef LaneBox
 #undef Crossing
 
 #include "kernels/core/lanes_16.cl"
 #define LaneRay ray_x16
+#define LaneBox box_x16
 #define Crossing crossing_x16
-#include "kernels/core/lane_ray.cl"
 #include "generated/primitive_hits.cl"
 #undef LaneRay
+#undef LaneBox
 #undef Crossing
-
-#define PACKET 16u
-
-/// Closest hits of a packet so far; their t is the packet's t_max.
-typedef struct {
-    float16 u, v;
-    uint16 primitive;
-} PacketHits;
 
 /// Axis of the largest component of a direction.
 FUNCTION uint major_axis(vec3 d) {
@@ -82,11 +77,16 @@ FUNCTION bool block_occludes(Scene scene, uint kind, uint block, const ray_x8 *r
 #undef CROSS_BLOCK
 
 /// block_closest_hit for a packet.
-FUNCTION void block_closest_hits(Scene scene, uint kind, uint block, ray_x16 *ray, PacketHits *hits) {
+FUNCTION void block_closest_hits(Scene scene, uint kind, uint block, PacketRays *packet, PacketHits *hits) {
+    ray_x16 *ray = &packet->rays;
+    bool nearer = false;
 #define CROSS_EACH(KIND, Record, name)                                                                       \
     if (kind == KIND) {                                                                                      \
         const global Record##Block *b = SCENE_ARRAY(scene, Record##Block, blocks[KIND]) + block;             \
-        for (uint j = 0u; j < BLOCK_SIZE && b->primitive[j] != NO_HIT; ++j) {                                \
+        box_x8 box;                                                                                          \
+        name##_box(b, 0u, &box);                                                                             \
+        for (uint bits = candidates(packet, b->primitive, box); bits != 0u; bits &= bits - 1u) {             \
+            const uint j = lowest_bit(bits);                                                                 \
             const crossing_x16 crossing = name##_crossing(b, j, *ray);                                       \
             if (mask_bits(crossing.hit) == 0u) continue;                                                     \
             const uint16 primitive = (uint16)(b->primitive[j]);                                              \
@@ -95,19 +95,24 @@ FUNCTION void block_closest_hits(Scene scene, uint kind, uint block, ray_x16 *ra
             hits->u = better ? crossing.u : hits->u;                                                         \
             hits->v = better ? crossing.v : hits->v;                                                         \
             hits->primitive = better ? primitive : hits->primitive;                                          \
+            nearer = true;                                                                                   \
         }                                                                                                    \
     }
     FOR_EACH_PRIMITIVE(CROSS_EACH)
 #undef CROSS_EACH
+    if (nearer) packet->farthest = largest_lane(ray->t_max);
 }
 
 /// Ends the rays that meet a primitive of the block: their t_max becomes -1.
-FUNCTION void block_ends_rays(Scene scene, uint kind, uint block, ray_x16 *ray) {
-#define END_EACH(KIND, Record, name)                                                             \
-    if (kind == KIND) {                                                                          \
-        const global Record##Block *b = SCENE_ARRAY(scene, Record##Block, blocks[KIND]) + block; \
-        for (uint j = 0u; j < BLOCK_SIZE && b->primitive[j] != NO_HIT; ++j)                      \
-            ray->t_max = name##_crossing(b, j, *ray).hit ? (float16)(-1.0f) : ray->t_max;        \
+FUNCTION void block_ends_rays(Scene scene, uint kind, uint block, PacketRays *packet) {
+    ray_x16 *ray = &packet->rays;
+#define END_EACH(KIND, Record, name)                                                                     \
+    if (kind == KIND) {                                                                                  \
+        const global Record##Block *b = SCENE_ARRAY(scene, Record##Block, blocks[KIND]) + block;         \
+        box_x8 box;                                                                                      \
+        name##_box(b, 0u, &box);                                                                         \
+        for (uint bits = candidates(packet, b->primitive, box); bits != 0u; bits &= bits - 1u)           \
+            ray->t_max = name##_crossing(b, lowest_bit(bits), *ray).hit ? (float16)(-1.0f) : ray->t_max; \
     }
     FOR_EACH_PRIMITIVE(END_EACH)
 #undef END_EACH

@@ -22,14 +22,14 @@ static bool LEVEL(occluded)(Scene scene, Ray ray) {
     return false;
 }
 
-static void LEVEL(closest_hits)(Scene scene, ray_x16 *ray, PacketHits *hits) {
-#define TEST(kind, block) LEAF_CLOSEST_HITS(scene, kind, block, ray, hits)
+static void LEVEL(closest_hits)(Scene scene, PacketRays *packet, PacketHits *hits) {
+#define TEST(kind, block) LEAF_CLOSEST_HITS(scene, kind, block, packet, hits)
     FOR_EACH_PRIMITIVE(FOR_EACH_BLOCK)
 #undef TEST
 }
 
-static void LEVEL(end_occluded)(Scene scene, ray_x16 *ray) {
-#define TEST(kind, block) LEAF_ENDS_RAYS(scene, kind, block, ray)
+static void LEVEL(end_occluded)(Scene scene, PacketRays *packet) {
+#define TEST(kind, block) LEAF_ENDS_RAYS(scene, kind, block, packet)
     FOR_EACH_PRIMITIVE(FOR_EACH_BLOCK)
 #undef TEST
 }

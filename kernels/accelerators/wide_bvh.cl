@@ -97,8 +97,17 @@ FUNCTION uint LEVEL(rays_entering)(const global BvhNode *node, uint c, const ray
     return mask_bits(meets);
 }
 
+/// Bits of the children that the packet may meet.
+FUNCTION uint LEVEL(children_of_packet)(const global BvhNode *node, const PacketRays *packet) {
+#define PLANES(side) make3(*(const global float8 *)(side)[0], *(const global float8 *)(side)[1], *(const global float8 *)(side)[2])
+    box_x8 box;
+    box.low = PLANES(node->low), box.high = PLANES(node->high);
+#undef PLANES
+    return candidates(packet, node->child, box);
+}
+
 /// Children are visited in the order of the first ray that tells them apart.
-static void LEVEL(closest_hits)(Scene scene, ray_x16 *ray, PacketHits *hits) {
+static void LEVEL(closest_hits)(Scene scene, PacketRays *packet, PacketHits *hits) {
     const global BvhNode *nodes = SCENE_ARRAY(scene, BvhNode, nodes);
     uint stack[BVH_STACK];
     float16 entered[BVH_STACK];
@@ -108,9 +117,10 @@ static void LEVEL(closest_hits)(Scene scene, ray_x16 *ray, PacketHits *hits) {
             const global BvhNode *node = nodes + current;
             uint nearest = BVH_EMPTY;
             float16 nearest_enter = (float16)(INFINITY);
-            for (uint c = 0u; c < BVH_WIDTH && node->child[c] != BVH_EMPTY; ++c) {
+            for (uint bits = LEVEL(children_of_packet)(node, packet); bits != 0u; bits &= bits - 1u) {
+                const uint c = lowest_bit(bits);
                 float16 enter;
-                if (LEVEL(rays_entering)(node, c, ray, &enter) == 0u) continue;
+                if (LEVEL(rays_entering)(node, c, &packet->rays, &enter) == 0u) continue;
                 if (nearest == BVH_EMPTY) {
                     nearest = node->child[c], nearest_enter = enter;
                 } else if (mask_bits(enter < nearest_enter) != 0u) {
@@ -125,17 +135,17 @@ static void LEVEL(closest_hits)(Scene scene, ray_x16 *ray, PacketHits *hits) {
                 continue;
             }
         } else {
-            LEAF_CLOSEST_HITS(scene, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, ray, hits);
+            LEAF_CLOSEST_HITS(scene, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, packet, hits);
         }
         do {
             if (size == 0u) return;
             current = stack[--size];
-        } while (mask_bits(entered[size] <= ray->t_max) == 0u);
+        } while (mask_bits(entered[size] <= packet->rays.t_max) == 0u);
     }
 }
 
 /// Ends every ray that meets something: its t_max becomes -1.
-static void LEVEL(end_occluded)(Scene scene, ray_x16 *ray) {
+static void LEVEL(end_occluded)(Scene scene, PacketRays *packet) {
     const global BvhNode *nodes = SCENE_ARRAY(scene, BvhNode, nodes);
     uint stack[BVH_STACK];
     uint size = 0u, current = 0u;
@@ -143,11 +153,13 @@ static void LEVEL(end_occluded)(Scene scene, ray_x16 *ray) {
         if ((current & BVH_LEAF) == 0u) {
             const global BvhNode *node = nodes + current;
             float16 enter;
-            for (uint c = 0u; c < BVH_WIDTH && node->child[c] != BVH_EMPTY; ++c)
-                if (LEVEL(rays_entering)(node, c, ray, &enter) != 0u) stack[size++] = node->child[c];
+            for (uint bits = LEVEL(children_of_packet)(node, packet); bits != 0u; bits &= bits - 1u) {
+                const uint c = lowest_bit(bits);
+                if (LEVEL(rays_entering)(node, c, &packet->rays, &enter) != 0u) stack[size++] = node->child[c];
+            }
         } else {
-            LEAF_ENDS_RAYS(scene, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, ray);
-            if (mask_bits(ray->t_max >= 0.0f) == 0u) return;
+            LEAF_ENDS_RAYS(scene, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, packet);
+            if (mask_bits(packet->rays.t_max >= 0.0f) == 0u) return;
         }
         if (size == 0u) return;
         current = stack[--size];

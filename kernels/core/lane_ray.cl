@@ -5,10 +5,16 @@
 typedef struct {
     real3 origin, direction;
     real t_max;
+    real pad;                              ///< by which boxes are grown: more than any rounding error of a crossing
     real3 inverse, shift_low, shift_high;  ///< plane of a box -> t: fma(plane, inverse, shift)
     real3 shear;                           ///< direction[kx] / direction[kz], direction[ky] / direction[kz], 1 / direction[kz]
     uint kx, ky, kz;                       ///< axes; kz has the largest component of the direction
 } LaneRay;
+
+/// Around a primitive, without the pad.
+typedef struct {
+    real3 low, high;
+} LaneBox;
 
 /// Where a ray meets a primitive.
 typedef struct {
@@ -22,14 +28,14 @@ FUNCTION real axis_of(real3 v, uint axis) { return axis == 0u ? v.x : axis == 1u
 FUNCTION LaneRay lane_ray(real3 origin, real3 direction, real t_max, uint kz, float extent) {
     LaneRay ray;
     ray.origin = origin, ray.direction = direction, ray.t_max = t_max;
-    const real pad = 0x1p-20f * (largest(absolute(origin)) + extent);
+    ray.pad = 0x1p-20f * (largest(absolute(origin)) + extent);
     // A component of 0 would give 0 · ∞; 2^-60 of the largest one moves no ray by a rounding error.
     const real tiny = 0x1p-60f * largest(absolute(direction));
     const real3 d = make3(where(fabs(direction.x) < tiny, copysign(tiny, direction.x), direction.x),
                           where(fabs(direction.y) < tiny, copysign(tiny, direction.y), direction.y),
                           where(fabs(direction.z) < tiny, copysign(tiny, direction.z), direction.z));
     ray.inverse = make3(1.0f / d.x, 1.0f / d.y, 1.0f / d.z);
-    const real3 pads = make3(pad, pad, pad);
+    const real3 pads = make3(ray.pad, ray.pad, ray.pad);
     ray.shift_low = negate(times(plus(origin, pads), ray.inverse));
     ray.shift_high = negate(times(minus(origin, pads), ray.inverse));
     ray.kz = kz, ray.kx = kz == 2u ? 0u : kz + 1u, ray.ky = kz == 0u ? 2u : kz - 1u;
@@ -39,7 +45,8 @@ FUNCTION LaneRay lane_ray(real3 origin, real3 direction, real t_max, uint kz, fl
 }
 
 /// A crossing counts only within its primitive's own box, where it is moved if rounding took it before the box. So no box around can lose it.
-FUNCTION Crossing within_box(Crossing crossing, real3 low, real3 high, LaneRay ray) {
+FUNCTION Crossing within_box(Crossing crossing, LaneBox box, LaneRay ray) {
+    const real3 low = box.low, high = box.high;
     const real3 a =
         make3(fma(low.x, ray.inverse.x, ray.shift_low.x), fma(low.y, ray.inverse.y, ray.shift_low.y), fma(low.z, ray.inverse.z, ray.shift_low.z));
     const real3 b = make3(fma(high.x, ray.inverse.x, ray.shift_high.x), fma(high.y, ray.inverse.y, ray.shift_high.y),

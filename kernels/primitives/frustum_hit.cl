@@ -1,15 +1,20 @@
 // Template: crossing of a ray with the lateral surface of a frustum, for the lane width in force.
 
+FUNCTION void frustum_box(const global FrustumBlock *block, uint j, LaneBox *box) {
+    box->low = make3(LANE(block->low[0], j), LANE(block->low[1], j), LANE(block->low[2], j));
+    box->high = make3(LANE(block->high[0], j), LANE(block->high[1], j), LANE(block->high[2], j));
+}
+
 /// Nearest crossing in (0, t_max] with the part |z| <= half_length of x² = (radius + slope z)². The quadratic is set up at the point of the
 /// ray nearest to the frustum's centre, and its discriminant by exact products, so that distance costs no precision.
 /// A ray that begins on the surface, within rounding, does not meet it there. Its box is tested first: most rays miss it.
 FUNCTION Crossing frustum_crossing(const global FrustumBlock *block, uint j, LaneRay ray) {
-    const real3 low = make3(LANE(block->low[0], j), LANE(block->low[1], j), LANE(block->low[2], j));
-    const real3 high = make3(LANE(block->high[0], j), LANE(block->high[1], j), LANE(block->high[2], j));
     Crossing crossing;
     crossing.t = 0.0f, crossing.u = 0.0f, crossing.v = 0.0f;
     crossing.hit = (crossing.t == 0.0f);
-    crossing = within_box(crossing, low, high, ray);
+    LaneBox box;
+    frustum_box(block, j, &box);
+    crossing = within_box(crossing, box, ray);
     if (mask_bits(crossing.hit) == 0u) return crossing;
     const real entry = crossing.t;
 

@@ -1,5 +1,12 @@
 // Template: crossing of a ray with a sphere, for the lane width in force.
 
+FUNCTION void sphere_box(const global SphereBlock *block, uint j, LaneBox *box) {
+    const real3 center = make3(LANE(block->x, j), LANE(block->y, j), LANE(block->z, j));
+    const real radius = fabs(LANE(block->radius, j));
+    const real3 r = make3(radius, radius, radius);
+    box->low = minus(center, r), box->high = plus(center, r);
+}
+
 /// Nearest crossing in (0, t_max]. Distance of closest approach instead of b² - ac keeps precision for small and distant spheres
 /// (Haines, Günther, Akenine-Möller, Ray Tracing Gems 2019, ch. 7). A ray that begins on the sphere, within rounding, does not meet it there.
 FUNCTION Crossing sphere_crossing(const global SphereBlock *block, uint j, LaneRay ray) {
@@ -24,6 +31,7 @@ FUNCTION Crossing sphere_crossing(const global SphereBlock *block, uint j, LaneR
     const real near = minimum(other, q / a), far = maximum(other, q / a);
     crossing.t = where((near > 0.0f) & (radius > 0.0f), near, far);
     crossing.hit &= (crossing.t > 0.0f) & (crossing.t <= ray.t_max);
-    const real3 r = make3(fabs(radius), fabs(radius), fabs(radius));
-    return within_box(crossing, minus(center, r), plus(center, r), ray);
+    LaneBox box;
+    sphere_box(block, j, &box);
+    return within_box(crossing, box, ray);
 }

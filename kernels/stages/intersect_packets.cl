@@ -1,6 +1,15 @@
 // Closest hits of a list of rays in packets of 16 neighbours: for rays that stay together. Same bits as intersect.
 #include "kernels/accelerators/levels.cl"
 
+FUNCTION void store_hits(global Hit *hits, uint count, float16 t, PacketHits closest) {
+    const float16 columns[4] = {t, closest.u, closest.v, as_float16(closest.primitive)};
+    float16 rows[4];
+    transpose_fields(columns, rows);
+    float4 hit[PACKET];
+    for (uint r = 0u; r < 4u; ++r) hit[r] = rows[r].s0123, hit[4u + r] = rows[r].s4567, hit[8u + r] = rows[r].s89ab, hit[12u + r] = rows[r].scdef;
+    for (uint j = 0u; j < count; ++j) vstore4(hit[j], j, (global float *)hits);
+}
+
 /// hits[i] is the closest hit of ray live[first + i]; a hit beyond t_max or none has primitive NO_HIT. One tally per work-item.
 kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, global Hit *restrict hits, global Tally *restrict tallies) {
     const Scene scene = SCENE;
@@ -10,23 +19,21 @@ kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
         const Packet packet = packet_of(rays, live + first, begin, end);
         PacketHits closest;
         closest.u = (float16)(0.0f), closest.v = (float16)(0.0f), closest.primitive = (uint16)(NO_HIT);
-        float16 t = vload16(0, packet.t_max);
+        float16 t = packet.t_max;
         for (uint axis = 0u; axis < 3u; ++axis) {
-            int16 lanes;
-            ray_x16 ray = packet_rays(&packet, axis, scene.header->extent, &lanes);
-            if (mask_bits(ray.t_max >= 0.0f) == 0u) continue;
-            scene_closest_hits(scene, &ray, &closest);
-            t = lanes ? ray.t_max : t;
+            const int16 lanes = packet_lanes(&packet, axis);
+            if (mask_bits(lanes) == 0u) continue;
+            PacketRays group = packet_rays(&packet, axis, scene.header->extent, lanes);
+            scene_closest_hits(scene, &group, &closest);
+            t = lanes ? group.rays.t_max : t;
         }
-        float t_lane[PACKET], u[PACKET], v[PACKET];
-        uint primitive[PACKET];
-        vstore16(t, 0, t_lane), vstore16(closest.u, 0, u), vstore16(closest.v, 0, v), vstore16(closest.primitive, 0, primitive);
-        for (uint i = begin; i < min(begin + PACKET, end); ++i) {
-            const Hit hit = {t_lane[i - begin], u[i - begin], v[i - begin], primitive[i - begin]};
-            const uint kind = rays[live[first + i]].kind;
-            hits[i] = hit;
-            tally.rays[kind] += 1u;
-            tally.hits[kind] += hit.primitive != NO_HIT;
+        const uint rays_here = min(PACKET, end - begin);
+        store_hits(hits + begin, rays_here, t, closest);
+        const int16 here = packet.t_max >= 0.0f, hit = closest.primitive != (uint16)(NO_HIT);
+        for (uint kind = 0u; kind < RAY_KINDS; ++kind) {
+            const int16 of_kind = here & (packet.kind == (int16)((int)kind));
+            tally.rays[kind] += popcount(mask_bits(of_kind));
+            tally.hits[kind] += popcount(mask_bits(of_kind & hit));
         }
     }
     tallies[get_global_id(0)] = tally;

@@ -14,12 +14,11 @@ kernel void trace_shadow_rays(SCENE_PARAMS, const global uint *restrict live, co
         const Packet packet = packet_of(rays, list, begin, end);
         int16 occluded = (int16)(0);
         for (uint axis = 0u; axis < 3u; ++axis) {
-            int16 lanes;
-            ray_x16 ray = packet_rays(&packet, axis, scene.header->extent, &lanes);
-            const int16 alive = ray.t_max >= 0.0f;
-            if (mask_bits(alive) == 0u) continue;
-            scene_end_occluded(scene, &ray);
-            occluded |= alive & (ray.t_max < 0.0f);
+            const int16 lanes = packet_lanes(&packet, axis);
+            if (mask_bits(lanes) == 0u) continue;
+            PacketRays group = packet_rays(&packet, axis, scene.header->extent, lanes);
+            scene_end_occluded(scene, &group);
+            occluded |= lanes & (group.rays.t_max < 0.0f);
         }
         tally.rays[RAY_SHADOW] += min(PACKET, end - begin);
         for (uint bits = mask_bits(occluded); bits != 0u; bits &= bits - 1u) {
