@@ -1,5 +1,6 @@
 // Blocks of primitives against one ray (8 primitives at a time) or a packet of 16 rays: what every accelerator's leaves call.
 #pragma once
+#include "generated/constants.h"
 #include "generated/primitives.cl"
 #include "kernels/accelerators/packet.cl"
 #include "kernels/core/bits.cl"
@@ -24,6 +25,8 @@
 #undef LaneBox
 #undef Crossing
 
+#include "kernels/core/lanes_1.cl"
+
 /// Axis of the largest component of a direction.
 FUNCTION uint major_axis(vec3 d) {
     const float x = fabs(d.x), y = fabs(d.y), z = fabs(d.z);
@@ -34,6 +37,52 @@ FUNCTION ray_x8 prepare(Ray ray, float extent) {
     const vec3x8 origin = make3((float8)(ray.origin.x), (float8)(ray.origin.y), (float8)(ray.origin.z));
     const vec3x8 direction = make3((float8)(ray.direction.x), (float8)(ray.direction.y), (float8)(ray.direction.z));
     return lane_ray(origin, direction, (float8)(ray.t_max), major_axis(ray.direction), extent);
+}
+
+/// The closest hit so far, what else was met, and how far behind the closest hit that is looked for: where transparent bodies touch, a ray
+/// meets faces of both at one place.
+typedef struct {
+    Hit hit;
+    float next, margin;  ///< t of the second hit, if it is at most `margin` behind; else anything beyond
+} Nearest;
+
+/// Distance within which coincident faces are met even at grazing angles; 0 in scenes without transparent materials.
+FUNCTION float crowd_margin(vec3 origin, vec3 direction, float extent) {
+    return INTERIOR_SIZE > 0u ? 0x1p-14f * (largest(absolute(origin)) + extent) / largest(absolute(direction)) : 0.0f;
+}
+FUNCTION float16 crowd_margin(vec3x16 origin, vec3x16 direction, float extent) {
+    return INTERIOR_SIZE > 0u ? 0x1p-14f * (largest(absolute(origin)) + extent) / largest(absolute(direction)) : (float16)(0.0f);
+}
+
+FUNCTION PacketHits packet_without_hits(const Packet *packet, float extent) {
+    PacketHits hits;
+    hits.t = packet->t_max, hits.u = (float16)(0.0f), hits.v = (float16)(0.0f), hits.primitive = (uint16)(NO_HIT);
+    hits.next = (float16)(INFINITY), hits.margin = crowd_margin(packet->origin, packet->direction, extent);
+    return hits;
+}
+
+/// Whether there is more than the closest hit.
+FUNCTION bool is_crowded(Nearest nearest) { return nearest.hit.primitive != NO_HIT && nearest.next <= nearest.hit.t + nearest.margin; }
+
+FUNCTION Nearest nothing_hit(Ray ray, float extent) {
+    const Nearest nearest = {{ray.t_max, 0.0f, 0.0f, NO_HIT}, INFINITY, crowd_margin(ray.origin, ray.direction, extent)};
+    return nearest;
+}
+
+#define HIT_LIST_SIZE 8u
+/// The first few hits in the order of (t, primitive).
+typedef struct {
+    Hit hits[HIT_LIST_SIZE];
+    uint count;
+} HitList;
+
+FUNCTION void hit_list_add(HitList *list, Hit hit) {
+    for (uint k = 0u; k < list->count; ++k) {
+        const Hit other = list->hits[k];
+        if (hit.t > other.t || (hit.t == other.t && hit.primitive > other.primitive)) continue;
+        list->hits[k] = hit, hit = other;
+    }
+    if (list->count < HIT_LIST_SIZE) list->hits[list->count++] = hit;
 }
 
 #define CROSS_BLOCK(KIND, Record, name) \
@@ -49,8 +98,9 @@ FUNCTION const global uint *block_numbers(Scene scene, uint kind, uint block) {
     return numbers;
 }
 
-/// A nearer crossing, or an equally near one of a primitive of lower number, replaces `hit` and shortens the ray.
-FUNCTION void block_closest_hit(Scene scene, uint kind, uint block, ray_x8 *ray, Hit *hit) {
+/// A nearer crossing, or an equally near one of a primitive of lower number, replaces the hit and shortens the ray.
+FUNCTION void block_closest_hit(Scene scene, uint kind, uint block, ray_x8 *ray, Nearest *nearest) {
+    Hit *hit = &nearest->hit;
     crossing_x8 crossing;
     crossing.hit = (int8)(0);
     FOR_EACH_PRIMITIVE(CROSS_BLOCK)
@@ -61,18 +111,32 @@ FUNCTION void block_closest_hit(Scene scene, uint kind, uint block, ray_x8 *ray,
     vstore8(crossing.t, 0, t), vstore8(crossing.u, 0, u), vstore8(crossing.v, 0, v);
     for (; bits != 0u; bits &= bits - 1u) {
         const uint j = lowest_bit(bits);
-        if (t[j] < hit->t || (t[j] == hit->t && primitive[j] < hit->primitive))
+        if (t[j] < hit->t || (t[j] == hit->t && primitive[j] < hit->primitive)) {
+            nearest->next = hit->primitive == NO_HIT ? INFINITY : hit->t;
             hit->t = t[j], hit->u = u[j], hit->v = v[j], hit->primitive = primitive[j];
+        } else {
+            nearest->next = minimum(nearest->next, t[j]);
+        }
     }
-    ray->t_max = (float8)(hit->t);
+    ray->t_max = (float8)(hit->t + nearest->margin);
 }
 
-/// Whether any primitive of the block is met.
-FUNCTION bool block_occludes(Scene scene, uint kind, uint block, const ray_x8 *ray) {
+/// Adds the block's hits to the list; without a list, tells whether there is any.
+FUNCTION bool block_any_hit(Scene scene, uint kind, uint block, const ray_x8 *ray, HitList *list) {
     crossing_x8 crossing;
     crossing.hit = (int8)(0);
     FOR_EACH_PRIMITIVE(CROSS_BLOCK)
-    return mask_bits(crossing.hit) != 0u;
+    uint bits = mask_bits(crossing.hit);
+    if (list == 0 || bits == 0u) return bits != 0u;
+    const global uint *primitive = block_numbers(scene, kind, block);
+    float t[8], u[8], v[8];
+    vstore8(crossing.t, 0, t), vstore8(crossing.u, 0, u), vstore8(crossing.v, 0, v);
+    for (; bits != 0u; bits &= bits - 1u) {
+        const uint j = lowest_bit(bits);
+        const Hit hit = {t[j], u[j], v[j], primitive[j]};
+        hit_list_add(list, hit);
+    }
+    return false;
 }
 #undef CROSS_BLOCK
 
@@ -80,23 +144,26 @@ FUNCTION bool block_occludes(Scene scene, uint kind, uint block, const ray_x8 *r
 FUNCTION void block_closest_hits(Scene scene, uint kind, uint block, PacketRays *packet, PacketHits *hits) {
     ray_x16 *ray = &packet->rays;
     bool nearer = false;
-#define CROSS_EACH(KIND, Record, name)                                                                       \
-    if (kind == KIND) {                                                                                      \
-        const global Record##Block *b = SCENE_ARRAY(scene, Record##Block, blocks[KIND]) + block;             \
-        box_x8 box;                                                                                          \
-        name##_box(b, 0u, &box);                                                                             \
-        for (uint bits = candidates(packet, b->primitive, box); bits != 0u; bits &= bits - 1u) {             \
-            const uint j = lowest_bit(bits);                                                                 \
-            const crossing_x16 crossing = name##_crossing(b, j, *ray);                                       \
-            if (mask_bits(crossing.hit) == 0u) continue;                                                     \
-            const uint16 primitive = (uint16)(b->primitive[j]);                                              \
-            const int16 better = crossing.hit & ((crossing.t < ray->t_max) | (primitive < hits->primitive)); \
-            ray->t_max = better ? crossing.t : ray->t_max;                                                   \
-            hits->u = better ? crossing.u : hits->u;                                                         \
-            hits->v = better ? crossing.v : hits->v;                                                         \
-            hits->primitive = better ? primitive : hits->primitive;                                          \
-            nearer = true;                                                                                   \
-        }                                                                                                    \
+#define CROSS_EACH(KIND, Record, name)                                                                                                \
+    if (kind == KIND) {                                                                                                               \
+        const global Record##Block *b = SCENE_ARRAY(scene, Record##Block, blocks[KIND]) + block;                                      \
+        box_x8 box;                                                                                                                   \
+        name##_box(b, 0u, &box);                                                                                                      \
+        for (uint bits = candidates(packet, b->primitive, box); bits != 0u; bits &= bits - 1u) {                                      \
+            const uint j = lowest_bit(bits);                                                                                          \
+            const crossing_x16 crossing = name##_crossing(b, j, *ray);                                                                \
+            if (mask_bits(crossing.hit) == 0u) continue;                                                                              \
+            const uint16 primitive = (uint16)(b->primitive[j]);                                                                       \
+            const int16 better = crossing.hit & ((crossing.t < hits->t) | ((crossing.t == hits->t) & (primitive < hits->primitive))); \
+            const float16 other = better ? (hits->primitive == (uint16)(NO_HIT) ? (float16)(INFINITY) : hits->t) : crossing.t;        \
+            hits->next = crossing.hit ? minimum(hits->next, other) : hits->next;                                                      \
+            hits->t = better ? crossing.t : hits->t;                                                                                  \
+            hits->u = better ? crossing.u : hits->u;                                                                                  \
+            hits->v = better ? crossing.v : hits->v;                                                                                  \
+            hits->primitive = better ? primitive : hits->primitive;                                                                   \
+            ray->t_max = better ? crossing.t + hits->margin : ray->t_max;                                                             \
+            nearer = true;                                                                                                            \
+        }                                                                                                                             \
     }
     FOR_EACH_PRIMITIVE(CROSS_EACH)
 #undef CROSS_EACH

@@ -4,19 +4,19 @@
 #define FOR_EACH_BLOCK(KIND, Record, name) \
     for (uint block = 0u; block < scene.header->blocks[KIND].count; ++block) TEST(KIND, block);
 
-static Hit LEVEL(closest_hit)(Scene scene, Ray ray) {
+static Nearest LEVEL(closest_hit)(Scene scene, Ray ray) {
     ray_x8 lanes = prepare(ray, scene.header->extent);
-    Hit hit = {ray.t_max, 0.0f, 0.0f, NO_HIT};
-#define TEST(kind, block) LEAF_CLOSEST_HIT(scene, kind, block, &lanes, &hit)
+    Nearest nearest = nothing_hit(ray, scene.header->extent);
+#define TEST(kind, block) LEAF_CLOSEST_HIT(scene, kind, block, &lanes, &nearest)
     FOR_EACH_PRIMITIVE(FOR_EACH_BLOCK)
 #undef TEST
-    return hit;
+    return nearest;
 }
 
-static bool LEVEL(occluded)(Scene scene, Ray ray) {
+static bool LEVEL(any_hit)(Scene scene, Ray ray, HitList *list) {
     const ray_x8 lanes = prepare(ray, scene.header->extent);
 #define TEST(kind, block) \
-    if (LEAF_OCCLUDES(scene, kind, block, &lanes)) return true
+    if (LEAF_ANY_HIT(scene, kind, block, &lanes, list)) return true
     FOR_EACH_PRIMITIVE(FOR_EACH_BLOCK)
 #undef TEST
     return false;

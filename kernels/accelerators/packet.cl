@@ -6,10 +6,11 @@
 
 #define PACKET 16u
 
-/// Closest hits of a packet so far; their t is the packet's t_max.
+/// Closest hits of a packet so far; see Nearest.
 typedef struct {
-    float16 u, v;
+    float16 t, u, v;
     uint16 primitive;
+    float16 next, margin;
 } PacketHits;
 
 /// Bounds of the rays that are alive (t_max >= 0) along one axis. A box's plane p is passed at t = (p - from) * inverse.

@@ -23,10 +23,10 @@ FUNCTION uint LEVEL(children)(const global BvhNode *node, const ray_x8 *ray, flo
 }
 
 /// The stack holds children with the t where the ray enters them, as (bits of t) << 32 | child, farthest first among the children of a node.
-static Hit LEVEL(closest_hit)(Scene scene, Ray ray) {
+static Nearest LEVEL(closest_hit)(Scene scene, Ray ray) {
     const global BvhNode *nodes = SCENE_ARRAY(scene, BvhNode, nodes);
     ray_x8 lanes = prepare(ray, scene.header->extent);
-    Hit hit = {ray.t_max, 0.0f, 0.0f, NO_HIT};
+    Nearest nearest = nothing_hit(ray, scene.header->extent);
     ulong stack[BVH_STACK];
     uint size = 0u, current = 0u;
     for (;;) {
@@ -39,33 +39,34 @@ static Hit LEVEL(closest_hit)(Scene scene, Ray ray) {
                 vstore8(enter, 0, t);
                 const uint bottom = size;
                 uint child = lowest_bit(bits);
-                ulong nearest = (ulong)as_uint(t[child]) << 32 | node->child[child];
+                ulong first = (ulong)as_uint(t[child]) << 32 | node->child[child];
                 for (bits &= bits - 1u; bits != 0u; bits &= bits - 1u) {
                     child = lowest_bit(bits);
                     ulong entry = (ulong)as_uint(t[child]) << 32 | node->child[child];
-                    if (entry < nearest) {
+                    if (entry < first) {
                         const ulong swap = entry;
-                        entry = nearest, nearest = swap;
+                        entry = first, first = swap;
                     }
                     uint place = size++;
                     for (; place > bottom && stack[place - 1u] < entry; --place) stack[place] = stack[place - 1u];
                     stack[place] = entry;
                 }
-                current = (uint)nearest;
+                current = (uint)first;
                 continue;
             }
         } else {
-            LEAF_CLOSEST_HIT(scene, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, &lanes, &hit);
+            LEAF_CLOSEST_HIT(scene, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, &lanes, &nearest);
         }
         do {
-            if (size == 0u) return hit;
+            if (size == 0u) return nearest;
             current = (uint)stack[--size];
-        } while ((uint)(stack[size] >> 32) > as_uint(hit.t));
+        } while ((uint)(stack[size] >> 32) > as_uint(lanes.t_max.s0));
     }
 }
 
-/// The child with the fewest primitives is visited first: it is the likeliest to be hit soon for its cost.
-static bool LEVEL(occluded)(Scene scene, Ray ray) {
+/// Adds all hits up to the ray's t_max to the list; without a list, tells whether there is any. The child with the fewest primitives is
+/// visited first: it is the likeliest to be hit soon for its cost.
+static bool LEVEL(any_hit)(Scene scene, Ray ray, HitList *list) {
     const global BvhNode *nodes = SCENE_ARRAY(scene, BvhNode, nodes);
     const ray_x8 lanes = prepare(ray, scene.header->extent);
     uint stack[BVH_STACK];
@@ -75,7 +76,7 @@ static bool LEVEL(occluded)(Scene scene, Ray ray) {
             float8 enter;
             uint bits = LEVEL(children)(nodes + current, &lanes, &enter);
             for (; bits != 0u; bits &= bits - 1u) stack[size++] = nodes[current].child[lowest_bit(bits)];
-        } else if (LEAF_OCCLUDES(scene, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, &lanes)) {
+        } else if (LEAF_ANY_HIT(scene, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, &lanes, list)) {
             return true;
         }
         if (size == 0u) return false;

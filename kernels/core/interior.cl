@@ -19,6 +19,8 @@ FUNCTION void interior_store(global uint *interiors, uint slot, Interior interio
     FOR_EACH_ENTRY(k) interiors[slot * INTERIOR_SIZE + k] = interior.entries[k];
 }
 
+FUNCTION void interior_copy(const global uint *from, uint i, global uint *to, uint k) { interior_store(to, k, interior_load(from, i)); }
+
 FUNCTION bool interior_contains(Interior interior, uint material) {
     bool found = false;
     FOR_EACH_ENTRY(k) found |= interior.entries[k] >> 8 == material + 1u;
@@ -45,32 +47,27 @@ FUNCTION Interior interior_left(Interior interior, uint material) {
     return interior;
 }
 
-FUNCTION Interior where(int c, Interior a, Interior b) {
-    FOR_EACH_ENTRY(k) a.entries[k] = c ? a.entries[k] : b.entries[k];
-    return a;
-}
-
 /// The medium that counts: the entry of the highest priority, of the lowest number among equals.
 typedef struct {
     float eta;
-    uint priority;
-    bool any;  ///< false: outside of everything, eta is 1
+    uint entry;  ///< material + 1; 0: outside of everything, eta is 1
 } Medium;
 
 FUNCTION Medium interior_medium(Interior interior, const global Material *materials) {
-    Medium medium = {1.0f, 0u, false};
-    uint best = 0u;
+    Medium medium = {1.0f, 0u};
+    uint highest = 0u;
     FOR_EACH_ENTRY(k) {
-        const uint entry = interior.entries[k];
-        const uint material = max(entry >> 8, 1u) - 1u;
-        const uint priority = materials[material].priority;
-        const bool same = (priority == medium.priority) & (material < best);
-        const bool better = (entry != 0u) & (!medium.any | (priority > medium.priority) | same);
-        medium.eta = better ? materials[material].eta : medium.eta;
-        medium.priority = better ? priority : medium.priority;
-        medium.any |= better;
-        best = better ? material : best;
+        const uint entry = interior.entries[k] >> 8;
+        const global Material *material = materials + (max(entry, 1u) - 1u);
+        const bool first = (entry < medium.entry) | (medium.entry == 0u);
+        const bool better = (entry != 0u) & ((material->priority > highest) | ((material->priority == highest) & first));
+        medium.eta = better ? material->eta : medium.eta;
+        medium.entry = better ? entry : medium.entry;
+        highest = better ? material->priority : highest;
     }
     return medium;
 }
 #undef FOR_EACH_ENTRY
+
+/// What find_interfaces has found out for item i.
+FUNCTION float interface_eta(const global float *etas, uint i, const global Material *material) { return etas[i]; }

@@ -25,21 +25,19 @@ typedef struct {
     uint primitive;
 } Hit;
 
-/// State of a Whitted or path-traced ray; 32 bytes.
+/// State of a Whitted or path-traced ray; 28 bytes.
 typedef struct {
     Spectrum throughput;  ///< what its radiance counts in its sample
     uint slot;            ///< its sample: an entry of the running batch
     uint branch;          ///< hash of the way from the eye to here, for random numbers
     uint depth;           ///< 1 for rays from the eye
     float bsdf_pdf;       ///< [1/sr]; 0: no other strategy could have made this ray
-    uint passes;          ///< interfaces passed that a medium of higher priority hides
 } Path;
 
-#define SURFACE_HIT 1u          ///< the ray hit something
-#define SURFACE_ENTERS 2u       ///< it comes from outside the object
-#define SURFACE_PASSES 4u       ///< a medium of higher priority hides the interface: the ray goes straight on
-#define SURFACE_LIT 8u          ///< light from lights can be seen on it
-#define SURFACE_LIT_BEYOND 16u  ///< and falls on the side away from `wo`: a transparent object's outside, seen from inside
+#define SURFACE_HIT 1u         ///< the ray hit something
+#define SURFACE_ENTERS 2u      ///< it comes from outside the object
+#define SURFACE_LIT 4u         ///< light from lights can be seen on it
+#define SURFACE_LIT_BEYOND 8u  ///< and falls on the side away from `wo`: a transparent object's outside, seen from inside
 
 // A surface point is three records, so that each stage reads whole ones: the compiler reads consecutive whole records by shuffles, but takes
 // gathers, or finishes each chunk one by one, where a record's end is not used.

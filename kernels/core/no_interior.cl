@@ -2,19 +2,5 @@
 #pragma once
 #include "kernels/core/scene.cl"
 
-typedef struct {
-    uint nothing;
-} Interior;
-typedef struct {
-    float eta;
-    uint priority;
-    bool any;
-} Medium;
-
-FUNCTION Interior interior_load(const global uint *interiors, uint slot) { return (Interior){0u}; }
-FUNCTION void interior_store(global uint *interiors, uint slot, Interior interior) {}
-FUNCTION bool interior_contains(Interior interior, uint material) { return false; }
-FUNCTION Interior interior_entered(Interior interior, uint material) { return interior; }
-FUNCTION Interior interior_left(Interior interior, uint material) { return interior; }
-FUNCTION Interior where(int c, Interior a, Interior b) { return a; }
-FUNCTION Medium interior_medium(Interior interior, const global Material *materials) { return (Medium){1.0f, 0u, false}; }
+FUNCTION void interior_copy(const global uint *from, uint i, global uint *to, uint k) {}
+FUNCTION float interface_eta(const global float *etas, uint i, const global Material *material) { return 1.0f / material->eta; }

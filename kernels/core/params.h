@@ -23,6 +23,5 @@ typedef struct {
 
 typedef struct {
     uint max_depth;   ///< rays in a chain, the eye ray being 1
-    uint max_passes;  ///< hidden interfaces that a chain may pass beyond max_depth
     float threshold;  ///< rays of smaller weight are not spawned
 } WhittedParams;

@@ -14,11 +14,6 @@ FUNCTION vec3 spawn_origin(vec3 p, vec3 offset) {
     return make3(away(p.x + offset.x, offset.x), away(p.y + offset.y, offset.y), away(p.z + offset.z, offset.z));
 }
 
-/// The origin of a ray that leaves in `direction`: on the side of the surface that it goes to.
-FUNCTION vec3 spawn_side(SurfacePoint surface, SurfaceInterface interface, vec3 direction) {
-    return where(dot3(interface.geometric, direction) < 0.0f, interface.beyond, surface.origin);
-}
-
 /// A ray from an origin that spawn_origin has made.
 FUNCTION Ray ray_spawn(vec3 origin, vec3 direction, uint kind) {
     Ray ray;

@@ -15,12 +15,16 @@ FUNCTION bool worth_tracing(Spectrum throughput, WhittedParams params, uint flag
     return (weight >= params.threshold) & ((weight > 0.0f) | ((flags & MATERIAL_SPAWNS_ALWAYS) != 0u));
 }
 
-/// Children of live item i: the mirrored ray in slot base + i, and where BRANCHING is 2 the refracted one in slot base + count + i.
-/// An interface that a medium of higher priority hides is passed straight on by the refracted ray, at no depth.
+/// `v`, or its mirror image at the plane of `normal`, whichever is on the normal's side.
+FUNCTION vec3 folded(vec3 v, vec3 normal) { return plus(v, scaled(normal, maximum(-2.0f * dot3(v, normal), 0.0f))); }
+
+/// Children of live item i: the mirrored ray in slot base + i, and where BRANCHING is 2 the refracted one in slot base + count + i, in the
+/// media `beyond`. A shading normal may lead a ray to the wrong side of the surface; then its mirror image at the surface leaves instead.
 kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const global Path *restrict paths,
                           const global SurfacePoint *restrict points, const global SurfaceInterface *restrict interfaces,
-                          const global vec3 *restrict directions, const global uint *restrict interiors, uint base, global Ray *restrict children,
-                          global Path *restrict child_paths, global uint *restrict child_interiors, global uchar *restrict child_alive) {
+                          const global vec3 *restrict directions, const global uint *restrict interiors, const global uint *restrict beyond,
+                          uint base, global Ray *restrict children, global Path *restrict child_paths, global uint *restrict child_interiors,
+                          global uchar *restrict child_alive) {
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     const global uint *list = live + first;
@@ -34,21 +38,22 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
         const SurfaceInterface interface = load(interfaces + i);
         const vec3 wo = load(directions + i);
         const bool lit_beyond = (surface.flags & SURFACE_LIT_BEYOND) != 0u;
-        const vec3 normal = where(lit_beyond, negate(surface.normal), surface.normal);
+        const float side = lit_beyond ? -1.0f : 1.0f;
+        const vec3 normal = scaled(surface.normal, side), geometric = scaled(interface.geometric, side);
+        const vec3 near = where(lit_beyond, interface.beyond, surface.origin), far = where(lit_beyond, surface.origin, interface.beyond);
         const global Material *material = materials + surface.material;
-        const bool hit = (surface.flags & SURFACE_HIT) != 0u, passes = (surface.flags & SURFACE_PASSES) != 0u;
-        const bool goes_on = hit & !passes & (path.depth < params.max_depth);
+        const bool goes_on = (surface.flags & SURFACE_HIT) != 0u && path.depth < params.max_depth;
 
-        const float cosine = minimum(maximum(dot3(wo, normal), 0.0f), 1.0f);
+        const float projection = dot3(wo, normal), cosine = minimum(maximum(projection, 0.0f), 1.0f);
         const float cosine_squared_beyond = refracted_cosine_squared(cosine, interface.eta);
         const bool transmits = BRANCHING == 2u && (material->flags & MATERIAL_TRANSMITS) != 0u;
         const bool total = transmits & (cosine_squared_beyond < 0.0f);
         const Split split = bsdf_split(material, cosine, cosine_squared_beyond, interface.eta, total);
 
         const Spectrum reflected = times(path.throughput, split.reflected);
-        const vec3 mirrored = unit(minus(scaled(normal, 2.0f * cosine), wo));
+        const vec3 mirrored = unit(folded(minus(scaled(normal, 2.0f * projection), wo), geometric));
         const bool reflects = ((material->flags & MATERIAL_REFLECTS) != 0u) | total;
-        mirrored_rays[i] = ray_spawn(spawn_side(surface, interface, mirrored), mirrored, RAY_REFLECTED);
+        mirrored_rays[i] = ray_spawn(near, mirrored, RAY_REFLECTED);
         Path child = path;
         child.throughput = reflected;
         child.depth = path.depth + 1u;
@@ -57,24 +62,16 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
         mirrored_alive[i] = goes_on & reflects & worth_tracing(reflected, params, material->flags);
 
         if (BRANCHING == 2u) {
-            const Interior inside = interior_load(interiors, k);
-            interior_store(child_interiors, base + i, inside);
-            const bool enters = (surface.flags & SURFACE_ENTERS) != 0u;
-            const Interior inside_beyond = where(enters, interior_entered(inside, surface.material), interior_left(inside, surface.material));
-            const Spectrum refracted = where(passes, path.throughput, times(path.throughput, split.refracted));
+            interior_copy(interiors, k, child_interiors, base + i);
+            interior_copy(beyond, i, child_interiors, base + count + i);
+            const Spectrum refracted = times(path.throughput, split.refracted);
             const float bend = interface.eta * cosine - sqrt(maximum(cosine_squared_beyond, 0.0f));
-            const vec3 straight = negate(wo);
-            const vec3 bent = unit(plus(scaled(straight, interface.eta), scaled(normal, bend)));
-            const vec3 onward = where(passes, straight, bent);
-            refracted_rays[i] = ray_spawn(spawn_side(surface, interface, onward), onward, RAY_REFRACTED);
-            interior_store(child_interiors, base + count + i, inside_beyond);
+            const vec3 bent = unit(folded(minus(scaled(normal, bend), scaled(wo, interface.eta)), negate(geometric)));
+            refracted_rays[i] = ray_spawn(far, bent, RAY_REFRACTED);
             child.throughput = refracted;
-            child.depth = passes ? path.depth : path.depth + 1u;
-            child.passes = passes ? path.passes + 1u : path.passes;
             child.branch = hash(path.branch * 2u + 1u);
             refracted_paths[i] = child;
-            const bool refracts = goes_on & transmits & !total & worth_tracing(refracted, params, material->flags);
-            refracted_alive[i] = refracts | (hit & passes & (path.passes < params.max_passes));
+            refracted_alive[i] = goes_on & transmits & !total & worth_tracing(refracted, params, material->flags);
         }
     }
 }
@@ -91,7 +88,7 @@ kernel void spawn_shadow_rays(SCENE_PARAMS, uint first_light, uint stride, uint 
         const SurfacePoint surface = load(points + i);
         const LightSample sample = light_sample(light, surface.origin);
         const bool faces = dot3(surface.normal, sample.direction) > 0.0f;
-        const bool lit = (surface.flags & (SURFACE_LIT | SURFACE_PASSES)) == SURFACE_LIT;
+        const bool lit = (surface.flags & SURFACE_LIT) != 0u;
         row_rays[i] = ray_to_light(surface.origin, sample.direction, sample.distance);
         row_alive[i] = lit && faces && largest(sample.irradiance) > 0.0f;
     }
@@ -117,7 +114,7 @@ kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint ligh
             const uint flags = points[i].flags;
             const global Material *material = materials + points[i].material;
             const Spectrum own = plus(load(&material->emission), times(ambient, bsdf_ambient(material)));
-            const Spectrum unlit = where((flags & SURFACE_HIT) != 0u, where((flags & SURFACE_PASSES) != 0u, black, own), background);
+            const Spectrum unlit = where((flags & SURFACE_HIT) != 0u, own, background);
             const Spectrum sum = where(first_light == 0u, unlit, black);
             const Phong phong = bsdf_phong(material);
             const uint c = i - begin;

@@ -16,6 +16,16 @@ FUNCTION Surface where(int c, Surface a, Surface b) {
     return r;
 }
 
+/// Where one ray met the primitive that `record` describes; for loops that are not vectorised.
+FUNCTION Surface primitive_surface_serially(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
+    Surface surface;
+#define CASE(KIND, Record, name) \
+    if (record->kind == KIND) surface = name##_surface(scene, record, ray, hit);
+    FOR_EACH_PRIMITIVE(CASE)
+#undef CASE
+    return surface;
+}
+
 /// Where the ray met the primitive that `record` describes.
 FUNCTION Surface primitive_surface(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
     Surface surface;

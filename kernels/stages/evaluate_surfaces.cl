@@ -5,10 +5,10 @@
 #include "kernels/primitives/primitive.cl"
 
 /// Where ray live[first + i] met the scene; wo[i] is the unit vector back along it. After a miss there is no SURFACE_HIT, and only wo[i] means
-/// anything.
+/// anything. etas[i] is the ratio of indices there, where scenes have transparent materials.
 kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, const global Hit *restrict hits,
-                              const global uint *restrict interiors, global SurfacePoint *restrict points,
-                              global SurfaceInterface *restrict interfaces, global vec3 *restrict wo) {
+                              const global float *restrict etas, global SurfacePoint *restrict points, global SurfaceInterface *restrict interfaces,
+                              global vec3 *restrict wo) {
     const Scene scene = SCENE;
     const global ShadingRecord *records = SCENE_ARRAY(scene, ShadingRecord, shading);
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
@@ -25,11 +25,6 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
 
         const global Material *material = materials + record->material;
         const bool transmits = (material->flags & MATERIAL_TRANSMITS) != 0u;
-        const Interior inside = interior_load(interiors, k);
-        const Interior others = where(enters, inside, interior_left(inside, record->material));
-        const Medium around = interior_medium(others, materials);
-        const bool hidden = transmits & around.any & ((around.priority > material->priority) | interior_contains(others, record->material));
-
         const bool lit_beyond = transmits & !enters;
         const float lit_side = lit_beyond ? -side : side;
         const vec3 geometric = scaled(surface.geometric, lit_side);
@@ -40,13 +35,13 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
         point.origin = spawn_origin(surface.p, offset);
         point.material = on_surface ? record->material : 0u;
         point.normal = scaled(surface.normal, lit_side);
-        point.flags = on_surface ? SURFACE_HIT | sides | lit | (hidden ? SURFACE_PASSES : 0u) : 0u;
+        point.flags = on_surface ? SURFACE_HIT | sides | lit : 0u;
         points[i] = point;
 
         SurfaceInterface interface;
         interface.beyond = spawn_origin(surface.p, negate(offset));
         interface.geometric = geometric;
-        interface.eta = (enters | !transmits) ? around.eta / material->eta : material->eta / around.eta;
+        interface.eta = interface_eta(etas, i, material);
         interfaces[i] = interface;
         wo[i] = negate(unit(ray.direction));
     }

@@ -20,7 +20,7 @@ kernel void generate_camera_rays(Camera camera, BatchParams batch, const global 
 
         Path path;
         path.throughput = make3(1.0f, 1.0f, 1.0f);
-        path.slot = i, path.depth = 1u, path.passes = 0u;
+        path.slot = i, path.depth = 1u;
         path.branch = hash(pixel ^ hash(sample ^ hash(batch.seed + 1u)));
         path.bsdf_pdf = 0.0f;
         paths[i] = path;

@@ -2,13 +2,17 @@
 #include "kernels/accelerators/levels.cl"
 
 /// hits[i] is the closest hit of ray live[first + i]; a hit beyond t_max or none has primitive NO_HIT. One tally per work-item.
-kernel void intersect(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, global Hit *restrict hits, global Tally *restrict tallies) {
+/// In scenes with transparent materials crowded[i] tells whether more is met at nearly the same place.
+kernel void intersect(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, global Hit *restrict hits, global uchar *restrict crowded,
+                      global Tally *restrict tallies) {
     const Scene scene = SCENE;
     Tally tally = {{0u}, {0u}};
     FOR_EACH_ITEM_SERIALLY(i, count) {
         const Ray ray = rays[live[first + i]];
-        const Hit hit = scene_closest_hit(scene, ray);
+        const Nearest nearest = scene_closest_hit(scene, ray);
+        const Hit hit = nearest.hit;
         hits[i] = hit;
+        if (INTERIOR_SIZE > 0u) crowded[i] = is_crowded(nearest);
         tally.rays[ray.kind] += 1u;
         tally.hits[ray.kind] += hit.primitive != NO_HIT;
     }

@@ -1,8 +1,8 @@
 // Closest hits of a list of rays in packets of 16 neighbours: for rays that stay together. Same bits as intersect.
 #include "kernels/accelerators/levels.cl"
 
-FUNCTION void store_hits(global Hit *hits, uint count, float16 t, PacketHits closest) {
-    const float16 columns[4] = {t, closest.u, closest.v, as_float16(closest.primitive)};
+FUNCTION void store_hits(global Hit *hits, uint count, PacketHits closest) {
+    const float16 columns[4] = {closest.t, closest.u, closest.v, as_float16(closest.primitive)};
     float16 rows[4];
     transpose_fields(columns, rows);
     float4 hit[PACKET];
@@ -10,25 +10,30 @@ FUNCTION void store_hits(global Hit *hits, uint count, float16 t, PacketHits clo
     for (uint j = 0u; j < count; ++j) vstore4(hit[j], j, (global float *)hits);
 }
 
+FUNCTION void store_crowded(global uchar *crowded, uint count, PacketHits closest) {
+    const uint bits = mask_bits((closest.primitive != (uint16)(NO_HIT)) & (closest.next <= closest.t + closest.margin));
+    for (uint j = 0u; j < count; ++j) crowded[j] = bits >> j & 1u;
+}
+
 /// hits[i] is the closest hit of ray live[first + i]; a hit beyond t_max or none has primitive NO_HIT. One tally per work-item.
-kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, global Hit *restrict hits, global Tally *restrict tallies) {
+/// crowded[i] is as intersect says.
+kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, global Hit *restrict hits, global uchar *restrict crowded,
+                              global Tally *restrict tallies) {
     const Scene scene = SCENE;
     Tally tally = {{0u}, {0u}};
     const uint end = min((uint)(get_global_id(0) + 1u) * ITEMS_PER_WORK_ITEM, count);
     for (uint begin = get_global_id(0) * ITEMS_PER_WORK_ITEM; begin < end; begin += PACKET) {
         const Packet packet = packet_of(rays, live + first, begin, end);
-        PacketHits closest;
-        closest.u = (float16)(0.0f), closest.v = (float16)(0.0f), closest.primitive = (uint16)(NO_HIT);
-        float16 t = packet.t_max;
+        PacketHits closest = packet_without_hits(&packet, scene.header->extent);
         for (uint axis = 0u; axis < 3u; ++axis) {
             const int16 lanes = packet_lanes(&packet, axis);
             if (mask_bits(lanes) == 0u) continue;
             PacketRays group = packet_rays(&packet, axis, scene.header->extent, lanes);
             scene_closest_hits(scene, &group, &closest);
-            t = lanes ? group.rays.t_max : t;
         }
         const uint rays_here = min(PACKET, end - begin);
-        store_hits(hits + begin, rays_here, t, closest);
+        store_hits(hits + begin, rays_here, closest);
+        if (INTERIOR_SIZE > 0u) store_crowded(crowded + begin, rays_here, closest);
         const int16 here = packet.t_max >= 0.0f, hit = closest.primitive != (uint16)(NO_HIT);
         for (uint kind = 0u; kind < RAY_KINDS; ++kind) {
             const int16 of_kind = here & (packet.kind == (int16)((int)kind));

@@ -9,7 +9,7 @@ kernel void trace_shadow_rays_singly(SCENE_PARAMS, const global uint *restrict l
     const global uint *list = live + row * stride;
     Tally tally = {{0u}, {0u}};
     FOR_EACH_ITEM_SERIALLY(i, counts[row]) {
-        const bool occluded = scene_occluded(scene, rays[list[i]]);
+        const bool occluded = scene_any_hit(scene, rays[list[i]], 0);
         visible[list[i]] = !occluded;
         tally.rays[RAY_SHADOW] += 1u;
         tally.hits[RAY_SHADOW] += occluded;

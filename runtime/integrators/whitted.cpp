@@ -13,7 +13,6 @@ namespace {
 
 constexpr const char *whitted_cl = "kernels/integrators/whitted.cl";
 constexpr uint lights_per_block = 8;
-constexpr uint max_passes = 8;  ///< hidden interfaces that a chain may pass
 
 /// Mirrored and refracted rays: only where a material sends them.
 struct Secondary {
@@ -25,6 +24,20 @@ struct Secondary {
     Compaction compact;
     Buffer<std::uint8_t> alive;
     std::size_t bytes() const { return compact.bytes() + alive.bytes(); }
+};
+
+/// Interfaces between media: only where a material transmits.
+struct Interfaces {
+    explicit Interfaces(const IntegratorJob &job)
+        : find(job.device, "kernels/stages/find_interfaces.cl", "find_interfaces", job.on_device.lists()),
+          beyond(job.device, std::size_t{job.batch} * job.compiled.interior_size),
+          etas(job.device, job.batch),
+          crowded(job.device, job.batch) {}
+    Kernel find;
+    Buffer<uint> beyond;  ///< lists of the media behind, as those of rays
+    Buffer<float> etas;
+    Buffer<std::uint8_t> crowded;
+    std::size_t bytes() const { return beyond.bytes() + etas.bytes() + crowded.bytes(); }
 };
 
 /// Shadow rays of a block of lights: row r, of `stride` slots, goes to the block's r-th light. Only where there are lights.
@@ -54,37 +67,39 @@ public:
         : scene_(job.on_device),
           light_count_(job.compiled.header.lights.count),
           branching_(branching(job.compiled)),
-          transmits_(job.compiled.transmits),
-          params_{job.scene.integrator.max_depth, transmits_ ? max_passes : 0, job.scene.integrator.threshold},
+          params_{job.scene.integrator.max_depth, job.scene.integrator.threshold},
           generate_(job.device, "kernels/stages/generate_camera_rays.cl", "generate_camera_rays", scene_.lists()),
           intersect_packets_(job.device, "kernels/stages/intersect_packets.cl", "intersect_packets", scene_.lists()),
           evaluate_(job.device, "kernels/stages/evaluate_surfaces.cl", "evaluate_surfaces", scene_.lists()),
           shade_(job.device, whitted_cl, "shade_whitted", scene_.lists()),
           accumulate_(job.device, "kernels/stages/accumulate.cl", "accumulate", scene_.lists()),
-          levels_(job.device, job.batch, branching_, branching_ == 0 ? 1 : params_.max_depth + params_.max_passes, job.compiled.interior_size),
+          levels_(job.device, job.batch, branching_, branching_ == 0 ? 1 : params_.max_depth, job.compiled.interior_size),
           hits_(job.device, job.batch),
           points_(job.device, job.batch),
           interfaces_(job.device, job.batch),
           directions_(job.device, job.batch),
           contributions_(job.device, job.batch),
           refused_(job.device, 1),
-          no_shadows_(job.device, 1),
+          no_bytes_(job.device, 1),
+          no_words_(job.device, 1),
+          no_floats_(job.device, 1),
           counter_(job.device, intersect_packets_.work_items(job.batch) * std::clamp(light_count_, 1u, lights_per_block)) {
         if (branching_ > 0) {
             intersect_.emplace(job.device, "kernels/stages/intersect.cl", "intersect", scene_.lists());
             secondary_.emplace(job, branching_);
         }
+        if (job.compiled.transmits) media_.emplace(job);
         if (light_count_ > 0) shadows_.emplace(job, std::min(light_count_, lights_per_block));
         refused_.fill_zero();
     }
 
     void render(const Batch &batch, Buffer<Sample> &samples) override {
         Level &first = levels_.start(batch.count());
-        if (transmits_) start_interiors(first, batch);
+        if (media_) start_interiors(first, batch);
         generate_(batch.count(), batch.camera, batch.params, batch.pixels, batch.count(), first.rays, first.paths, first.live, samples);
         while (const auto wave = levels_.next()) {
             trace(*wave);
-            evaluate_(wave->count, scene_, *wave, wave->level.rays, hits_, wave->level.interiors, points_, interfaces_, directions_);
+            evaluate_(wave->count, scene_, *wave, wave->level.rays, hits_, media_ ? media_->etas : no_floats_, points_, interfaces_, directions_);
             if (wave->children) spawn(*wave);
             for (uint light = 0; light == 0 || light < light_count_; light += lights_per_block) shade(*wave, light, samples);
             if (wave->children) levels_.add_children(*wave, secondary_->compact.counts().read().at(0));
@@ -95,12 +110,12 @@ public:
     std::uint64_t refused() const override { return refused_.read().at(0); }
     std::size_t wave_bytes() const override {
         return levels_.bytes_at_most() + hits_.bytes() + points_.bytes() + interfaces_.bytes() + directions_.bytes() + contributions_.bytes() +
-               counter_.bytes() + (secondary_ ? secondary_->bytes() : 0) + (shadows_ ? shadows_->bytes() : 0);
+               counter_.bytes() + (media_ ? media_->bytes() : 0) + (secondary_ ? secondary_->bytes() : 0) + (shadows_ ? shadows_->bytes() : 0);
     }
     std::vector<Skipped> skipped() const override {
         std::vector<Skipped> skipped;
         if (!secondary_) skipped.push_back({"spawn_whitted", "no material reflects or transmits"});
-        if (!transmits_) skipped.push_back({"interior", "no material transmits: refracted rays and lists of media are not stored"});
+        if (!media_) skipped.push_back({"find_interfaces", "no material transmits: refracted rays and lists of media are not stored"});
         if (!shadows_) skipped.push_back({"trace_shadow_rays", "there are no lights"});
         return skipped;
     }
@@ -117,14 +132,18 @@ private:
     /// Rays from the eye and their first reflections stay together, the others go their own ways.
     void trace(const Wave &wave) {
         Kernel &intersect = wave.generation <= 1 ? intersect_packets_ : *intersect_;
-        intersect(wave.count, scene_, wave, wave.level.rays, hits_, counter_.tallies());
+        intersect(wave.count, scene_, wave, wave.level.rays, hits_, media_ ? media_->crowded : no_bytes_, counter_.tallies());
         counter_.add(intersect.work_items(wave.count));
+        if (!media_) return;
+        media_->find(wave.count, scene_, wave, wave.level.rays, hits_, media_->crowded, wave.level.interiors, media_->beyond, media_->etas,
+                     counter_.tallies());
+        counter_.add(media_->find.work_items(wave.count));
     }
 
     void spawn(const Wave &wave) {
         Level &below = *wave.children;
-        secondary_->spawn(wave.count, scene_, params_, wave, wave.level.paths, points_, interfaces_, directions_, wave.level.interiors, wave.base,
-                          below.rays, below.paths, below.interiors, secondary_->alive);
+        secondary_->spawn(wave.count, scene_, params_, wave, wave.level.paths, points_, interfaces_, directions_, wave.level.interiors,
+                          media_ ? media_->beyond : no_words_, wave.base, below.rays, below.paths, below.interiors, secondary_->alive);
         const uint slots = wave.count * branching_;
         secondary_->compact(secondary_->alive, slots, slots, 1, wave.base, below.end, below.live);
     }
@@ -133,7 +152,7 @@ private:
     void shade(const Wave &wave, uint light, Buffer<Sample> &samples) {
         const uint rows = std::min(light_count_ - light, lights_per_block), stride = shadows_ ? shadows_->stride : 0;
         if (rows > 0) trace_shadows(wave, light, rows);
-        const Buffer<std::uint8_t> &visible = shadows_ ? shadows_->visible : no_shadows_;
+        const Buffer<std::uint8_t> &visible = shadows_ ? shadows_->visible : no_bytes_;
         shade_(wave.count, scene_, wave, light, rows, stride, wave.level.paths, points_, directions_, visible, contributions_);
         accumulate_(wave.count, wave, wave.level.paths, contributions_, samples, refused_);
     }
@@ -151,7 +170,6 @@ private:
 
     const DeviceScene &scene_;
     uint light_count_, branching_;
-    bool transmits_;
     WhittedParams params_;
     Kernel generate_, intersect_packets_, evaluate_, shade_, accumulate_;
     std::optional<Kernel> intersect_;
@@ -162,8 +180,11 @@ private:
     Buffer<vec3> directions_;  ///< back along the rays
     Buffer<Spectrum> contributions_;
     Buffer<uint> refused_;
-    Buffer<std::uint8_t> no_shadows_;  ///< stands for `visible` where there are no lights
+    Buffer<std::uint8_t> no_bytes_;  ///< these stand for arrays that the scene does without
+    Buffer<uint> no_words_;
+    Buffer<float> no_floats_;
     RayCounter counter_;
+    std::optional<Interfaces> media_;
     std::optional<Secondary> secondary_;
     std::optional<Shadows> shadows_;
 };

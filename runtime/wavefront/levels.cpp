@@ -12,6 +12,7 @@ constexpr uint worthwhile_launch = 16384;
 
 Levels::Levels(Device &device, uint batch, uint branching, uint generations, uint interior_size)
     : device_(device),
+      batch_(batch),
       capacity_(std::max(batch, branching)),
       branching_(branching),
       generations_(generations),
@@ -35,9 +36,9 @@ Level &Levels::start(uint count) {
 uint Levels::room(uint generation) {
     const Level &here = levels_[generation];
     const uint waiting = here.end - here.first;
-    if (branching_ == 0 || generation + 1 == generations_ || waiting == 0) return waiting;
+    if (branching_ == 0 || generation + 1 == generations_) return std::min(waiting, batch_);
     const uint free = generation + 1 < levels_.size() ? capacity_ - levels_[generation + 1].used : capacity_;
-    return std::min(waiting, free / branching_);
+    return std::min({waiting, batch_, free / branching_});
 }
 
 std::optional<Wave> Levels::next() {

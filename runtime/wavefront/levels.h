@@ -36,7 +36,8 @@ struct Wave {
 /// Hands out waves so that no level ever overflows: a wave takes at most as many items as the next level has free slots for their children.
 class Levels {
 public:
-    /// Levels are allocated when first needed, at most `generations` of them, each of max(batch, branching) slots.
+    /// Levels are allocated when first needed, at most `generations` of them, each of max(batch, branching) slots. Waves have at most `batch`
+    /// items.
     Levels(Device &device, uint batch, uint branching, uint generations, uint interior_size);
 
     /// Forgets everything; the caller fills the first `count` slots of the result and its live list.
@@ -53,7 +54,7 @@ private:
     uint room(uint generation);
 
     Device &device_;
-    uint capacity_, branching_, generations_, interior_size_, full_launch_;
+    uint batch_, capacity_, branching_, generations_, interior_size_, full_launch_;
     std::size_t level_bytes_;
     std::deque<Level> levels_;
 };

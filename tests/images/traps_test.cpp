@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <string>
 
 #include "scene/bsdfs/bsdf.h"
 #include "scene/lights/light.h"
@@ -186,6 +188,50 @@ TEST(Traps, OfInterpenetratingBodiesTheNearestShows) {
     EXPECT_LT(ties, 5u);
 }
 
+// ---- shading normals -------------------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// A ball of few facets with the normals of a sphere.
+void add_faceted_ball(Scene &scene, uint material) {
+    constexpr uint rings = 8, sectors = 12;
+    const auto corner = [](uint ring, uint sector) {
+        const double polar = std::numbers::pi * ring / rings, azimuth = 2 * std::numbers::pi * (sector % sectors) / sectors;
+        const double r = ring == 0 || ring == rings ? 0 : std::sin(polar);
+        return vec3(r * std::cos(azimuth), std::cos(polar), r * std::sin(azimuth));
+    };
+    for (uint ring = 0; ring < rings; ++ring)
+        for (uint sector = 0; sector < sectors; ++sector) {
+            const vec3 a = corner(ring, sector), b = corner(ring + 1, sector), c = corner(ring + 1, sector + 1), d = corner(ring, sector + 1);
+            if (ring + 1 < rings) add_smooth_triangle(scene, material, a, c, b, vec3(0));
+            if (ring > 0) add_smooth_triangle(scene, material, a, d, c, vec3(0));
+        }
+}
+
+}  // namespace
+
+/// Interpolated normals bend what is mirrored, but never into the body: from a convex mirror all rays leave.
+TEST(ShadingNormals, MirrorNothingIntoAConvexBody) {
+    Scene scene = scene_seen_from({0.3f, 1, 4}, {0, 0, 0}, 32, 100);
+    scene.background = Spectrum(1);
+    scene.integrator.max_depth = 4;
+    add_faceted_ball(scene, add_material(scene, mirror(0.5f)));
+    const Rendering rendering = render_scene(scene);
+    EXPECT_GT(rendering.counts.rays[RAY_REFLECTED], 3000u);
+    EXPECT_EQ(rendering.counts.hits[RAY_REFLECTED], 0u);
+}
+
+/// And what is refracted goes in.
+TEST(ShadingNormals, RefractEverythingIntoTheBody) {
+    Scene scene = scene_seen_from({0.3f, 1, 4}, {0, 0, 0}, 32, 100);
+    scene.integrator.max_depth = 2;
+    add_faceted_ball(scene, add_material(scene, glass(1.5f)));
+    const Rendering rendering = render_scene(scene);
+    EXPECT_GT(rendering.counts.rays[RAY_REFRACTED], 3000u);
+    EXPECT_EQ(rendering.counts.hits[RAY_REFRACTED], rendering.counts.rays[RAY_REFRACTED]);
+    EXPECT_EQ(rendering.counts.hits[RAY_REFLECTED], 0u);
+}
+
 // ---- nested glass ----------------------------------------------------------------------------------------------------------------------------
 
 namespace {
@@ -259,7 +305,7 @@ TEST(NestedGlass, LowerPriorityIsHidden) {
     });
 }
 
-/// Liquids are modelled overlapping their glass a little (FIELD.md 5.9): then they touch without a gap.
+/// Liquids are modelled overlapping their glass a little (Schmidt & Budge 2002): then they touch without a gap.
 TEST(NestedGlass, LiquidThatOverlapsItsGlassTouchesIt) {
     GlassOverFloor test(4);
     const uint water = add_clear(test.scene, 1.33f, 0), glass = add_clear(test.scene, 1.5f, 1);
@@ -269,6 +315,96 @@ TEST(NestedGlass, LiquidThatOverlapsItsGlassTouchesIt) {
         Real part = 1;
         const Line in_glass = through_level(eye, 0.5L, 1, 1.5f, part), in_water = through_level(in_glass, 0, 1.5f, 1.33f, part);
         const Line below = through_level(in_water, -1, 1.33f, 1, part);
+        return part * test.floor_radiance(below);
+    });
+}
+
+/// Of equal priorities the material that was declared first counts: the glass ends where the water begins.
+TEST(NestedGlass, OfEqualPrioritiesTheFirstHides) {
+    GlassOverFloor test(4);
+    const uint water = add_clear(test.scene, 1.33f, 0), glass = add_clear(test.scene, 1.5f, 0);
+    add_box(test.scene, glass, {-8, -0.5f, -8}, {8, 0.5f, 8});
+    add_box(test.scene, water, {-9, -1, -9}, {9, 0, 9});
+    test.expect(1600, [&](const Line &eye) -> std::optional<Real> {
+        Real part = 1;
+        const Line in_glass = through_level(eye, 0.5L, 1, 1.5f, part), in_water = through_level(in_glass, 0, 1.5f, 1.33f, part);
+        const Line below = through_level(in_water, -1, 1.33f, 1, part);
+        return part * test.floor_radiance(below);
+    });
+}
+
+/// Where two faces are the same plane there is one interface, in either order of the objects, and even where their diagonals coincide.
+struct Touching {
+    bool water_first, same_size;
+};
+class TouchingGlass : public testing::TestWithParam<Touching> {};
+
+TEST_P(TouchingGlass, HasOneInterfaceWhereFacesCoincide) {
+    const auto [water_first, same_size] = GetParam();
+    GlassOverFloor test(4);
+    const uint water = add_clear(test.scene, 1.33f, 0), glass = add_clear(test.scene, 1.5f, 0);
+    const float size = same_size ? 8.0f : 9.0f;
+    if (water_first) add_box(test.scene, water, {-size, -1, -size}, {size, 0, size});
+    add_box(test.scene, glass, {-8, 0, -8}, {8, 0.5f, 8});
+    if (!water_first) add_box(test.scene, water, {-size, -1, -size}, {size, 0, size});
+    test.expect(1600, [&](const Line &eye) -> std::optional<Real> {
+        Real part = 1;
+        const Line in_glass = through_level(eye, 0.5L, 1, 1.5f, part), in_water = through_level(in_glass, 0, 1.5f, 1.33f, part);
+        const Line below = through_level(in_water, -1, 1.33f, 1, part);
+        return part * test.floor_radiance(below);
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(NestedGlass, TouchingGlass,
+                         testing::Values(Touching{true, false}, Touching{true, true}, Touching{false, false}, Touching{false, true}),
+                         [](const auto &info) {
+                             return std::string(info.param.water_first ? "WaterFirst" : "GlassFirst") + (info.param.same_size ? "SameSize" : "");
+                         });
+
+/// Two boxes of one material that touch are one body.
+TEST(NestedGlass, TouchingBodiesOfOneMaterialHaveNoInnerInterface) {
+    GlassOverFloor test(3);
+    const uint clear = add_clear(test.scene, 1.5f, 0);
+    add_box(test.scene, clear, {-9, -1, -9}, {9, 0, 9});
+    add_box(test.scene, clear, {-8, 0, -8}, {8, 0.5f, 8});
+    test.expect(1600, [&](const Line &eye) -> std::optional<Real> {
+        Real part = 1;
+        const Line inside = through_level(eye, 0.5L, 1, 1.5f, part), below = through_level(inside, -1, 1.5f, 1, part);
+        return part * test.floor_radiance(below);
+    });
+}
+
+/// Glass that stands on the floor does not hide it, whichever of the coincident faces comes first.
+TEST(NestedGlass, WhatIsOpaqueCountsWhereGlassTouchesIt) {
+    for (const bool glass_first : {false, true}) {
+        Scene scene = scene_seen_from({0.4f, 6, 0.3f}, {0, 0, 0}, 28);
+        scene.integrator.max_depth = 3;
+        const uint clear = add_clear(scene, 1.5f, 0), floor = add_emitter(scene, Spectrum(2));
+        if (glass_first) add_box(scene, clear, {-9, 0, -9}, {9, 0.5f, 9});
+        add_floor(scene, floor, 12, 0);
+        if (!glass_first) add_box(scene, clear, {-9, 0, -9}, {9, 0.5f, 9});
+        const Rendering rendering = render_scene(scene);
+        for (uint y = 0; y < scene.film.height; ++y)
+            for (uint x = 0; x < scene.film.width; ++x) {
+                Real part = 1;
+                through_level(oracle::eye_ray(scene, x, y), 0.5L, 1, 1.5f, part);
+                ASSERT_NEAR(rendering.picture[y * scene.film.width + x].x, 2 * part, 1e-5L) << x << ", " << y;
+            }
+    }
+}
+
+/// However many interfaces are hidden, a ray passes them all.
+TEST(NestedGlass, ManyHiddenInterfacesArePassed) {
+    GlassOverFloor test(3);
+    const uint hidden = add_clear(test.scene, 2.0f, 0), clear = add_clear(test.scene, 1.5f, 1);
+    add_box(test.scene, clear, {-9, -1, -9}, {9, 0.5f, 9});
+    for (int i = 0; i < 20; ++i) {
+        const float low = -0.9f + 0.06f * static_cast<float>(i);
+        add_box(test.scene, hidden, {-8, low, -8}, {8, low + 0.03f, 8});
+    }
+    test.expect(1600, [&](const Line &eye) -> std::optional<Real> {
+        Real part = 1;
+        const Line inside = through_level(eye, 0.5L, 1, 1.5f, part), below = through_level(inside, -1, 1.5f, 1, part);
         return part * test.floor_radiance(below);
     });
 }

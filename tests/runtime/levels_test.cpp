@@ -56,6 +56,7 @@ private:
         const uint g = wave.generation;
         ASSERT_LT(g, case_.generations);
         ASSERT_GT(wave.count, 0u);
+        ASSERT_LE(wave.count, case_.batch) << "a wave fits the arrays of a batch";
         deepest_ = std::max<std::size_t>(deepest_, g), ++waves_;
         ASSERT_LE(wave.first + wave.count, lists_[g].size()) << "a wave's part of the list has been written";
         std::vector<uint> taken(lists_[g].begin() + wave.first, lists_[g].begin() + wave.first + wave.count);

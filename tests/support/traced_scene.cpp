@@ -41,8 +41,9 @@ std::vector<Hit> TracedScene::closest_hits(const std::string &stage, const std::
     const Buffer<Ray> ray_buffer(device, rays);
     const Buffer<uint> live(device, live_list(rays.size()));
     const Buffer<Hit> hits(device, rays.size());
+    const Buffer<std::uint8_t> crowded(device, rays.size());
     const Buffer<Tally> tallies(device, kernel.work_items(rays.size()));
-    kernel(rays.size(), on_device_, live, unused, static_cast<uint>(rays.size()), ray_buffer, hits, tallies);
+    kernel(rays.size(), on_device_, live, unused, static_cast<uint>(rays.size()), ray_buffer, hits, crowded, tallies);
     tally_ = sum_of(tallies);
     return hits.read();
 }
