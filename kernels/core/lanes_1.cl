@@ -4,16 +4,26 @@
 #undef real
 #undef real3
 #undef mask
+#undef REAL_BITS
+#undef BITS_REAL
+#undef twofold
+#undef twofold3
 #undef LANE
 #define real float
 #define real3 vec3
 #define mask int
+#define REAL_BITS(x) as_int(x)
+#define BITS_REAL(x) as_float(x)
+#define twofold twofold_x1
+#define twofold3 twofold3_x1
 /// Value of primitive j of a block's column.
 #define LANE(column, j) ((column)[j])
 
 #ifndef LANES_1
 #define LANES_1
 #include "kernels/core/vec_functions.cl"
+#include "kernels/core/twofold.cl"
+#include "kernels/core/offsets.cl"
 
 FUNCTION uint mask_bits(int m) { return (uint)m; }
 #endif

@@ -4,10 +4,18 @@
 #undef real
 #undef real3
 #undef mask
+#undef REAL_BITS
+#undef BITS_REAL
+#undef twofold
+#undef twofold3
 #undef LANE
 #define real float16
 #define real3 vec3x16
 #define mask int16
+#define REAL_BITS(x) as_int16(x)
+#define BITS_REAL(x) as_float16(x)
+#define twofold twofold_x16
+#define twofold3 twofold3_x16
 /// Value of primitive j of a block's column, for every ray.
 #define LANE(column, j) ((float16)((column)[j]))
 
@@ -17,6 +25,8 @@ typedef struct {
     float16 x, y, z;
 } vec3x16;
 #include "kernels/core/vec_functions.cl"
+#include "kernels/core/twofold.cl"
+#include "kernels/core/offsets.cl"
 
 /// Bit j is set where lane j is true.
 FUNCTION uint mask_bits(int16 m) {

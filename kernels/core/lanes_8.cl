@@ -4,10 +4,18 @@
 #undef real
 #undef real3
 #undef mask
+#undef REAL_BITS
+#undef BITS_REAL
+#undef twofold
+#undef twofold3
 #undef LANE
 #define real float8
 #define real3 vec3x8
 #define mask int8
+#define REAL_BITS(x) as_int8(x)
+#define BITS_REAL(x) as_float8(x)
+#define twofold twofold_x8
+#define twofold3 twofold3_x8
 /// Values of a whole block's column: lane j is primitive j.
 #define LANE(column, j) (*(const global float8 *)(column))
 
@@ -17,6 +25,8 @@ typedef struct {
     float8 x, y, z;
 } vec3x8;
 #include "kernels/core/vec_functions.cl"
+#include "kernels/core/twofold.cl"
+#include "kernels/core/offsets.cl"
 
 /// Bit j is set where lane j is true.
 FUNCTION uint mask_bits(int8 m) {

@@ -13,14 +13,16 @@ FUNCTION SphereShading sphere_view(const global ShadingRecord *record) {
     return sphere;
 }
 
-/// The point is put back onto the sphere, so that its error does not grow with the ray's length.
+/// The point is put back onto the sphere, so that its error does not grow with the ray's length; the second time with twice the digits, so that
+/// what is left is its own rounding, however large the sphere is.
 FUNCTION Surface sphere_surface(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
     const SphereShading sphere = sphere_view(record);
     const float radius = fabs(sphere.radius);
     Surface surface;
     surface.geometric = unit(plus(minus(ray.origin, sphere.center), scaled(ray.direction, hit.t)));
     surface.normal = surface.geometric;
-    surface.p = plus(sphere.center, scaled(surface.geometric, radius));
-    surface.error = scaled(plus(absolute(sphere.center), make3(radius, radius, radius)), 0x1p-21f);
+    const vec3 p = plus(sphere.center, scaled(surface.geometric, radius));
+    surface.p = minus(p, scaled(surface.geometric, sphere_offset(sphere.center, radius, p) / (2.0f * radius)));
+    surface.error = plus(scaled(absolute(surface.p), 0x1p-22f), scaled(plus(absolute(sphere.center), make3(radius, radius, radius)), 0x1p-38f));
     return surface;
 }

@@ -8,7 +8,7 @@ FUNCTION void sphere_box(const global SphereBlock *block, uint j, LaneBox *box) 
 }
 
 /// Nearest crossing in (0, t_max]. Distance of closest approach instead of b² - ac keeps precision for small and distant spheres
-/// (Haines, Günther, Akenine-Möller, Ray Tracing Gems 2019, ch. 7). A ray that begins on the sphere, within rounding, does not meet it there.
+/// (Haines, Günther, Akenine-Möller, Ray Tracing Gems 2019, ch. 7). Twice the digits decide on which side a ray begins.
 FUNCTION Crossing sphere_crossing(const global SphereBlock *block, uint j, LaneRay ray) {
     const real3 center = make3(LANE(block->x, j), LANE(block->y, j), LANE(block->z, j));
     const real radius = LANE(block->radius, j);
@@ -23,12 +23,9 @@ FUNCTION Crossing sphere_crossing(const global SphereBlock *block, uint j, LaneR
     crossing.hit = discriminant >= 0.0f;
     if (mask_bits(crossing.hit) == 0u) return crossing;
 
-    const real ff = dot3(f, f);
-    const real c = ff - radius * radius;
+    const real c = sphere_offset(center, radius, ray.origin);
     const real q = b + copysign(sqrt(a * discriminant), b);
-    const mask starts_on = fabs(c) <= 0x1p-21f * ff;
-    const real other = where(starts_on, (real)(-1.0f), c / q);  // the root that is 0 at the surface
-    const real near = minimum(other, q / a), far = maximum(other, q / a);
+    const real near = minimum(c / q, q / a), far = maximum(c / q, q / a);
     crossing.t = where((near > 0.0f) & (radius > 0.0f), near, far);
     crossing.hit &= (crossing.t > 0.0f) & (crossing.t <= ray.t_max);
     LaneBox box;

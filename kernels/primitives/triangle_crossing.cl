@@ -1,15 +1,20 @@
-// Template: crossing of a ray with a triangle, for the lane width in force, as functions TRIANGLE(box) and TRIANGLE(crossing).
+// Template: crossing of a ray with a triangle, for the lane width in force, as functions TRIANGLE(name).
+
+FUNCTION void TRIANGLE(vertices)(const global TriangleBlock *block, uint j, real3 *a, real3 *b, real3 *c) {
+    *a = make3(LANE(block->a[0], j), LANE(block->a[1], j), LANE(block->a[2], j));
+    *b = make3(LANE(block->b[0], j), LANE(block->b[1], j), LANE(block->b[2], j));
+    *c = make3(LANE(block->c[0], j), LANE(block->c[1], j), LANE(block->c[2], j));
+}
 
 FUNCTION void TRIANGLE(box)(const global TriangleBlock *block, uint j, LaneBox *box) {
-    const real3 a = make3(LANE(block->a[0], j), LANE(block->a[1], j), LANE(block->a[2], j));
-    const real3 b = make3(LANE(block->b[0], j), LANE(block->b[1], j), LANE(block->b[2], j));
-    const real3 c = make3(LANE(block->c[0], j), LANE(block->c[1], j), LANE(block->c[2], j));
+    real3 a, b, c;
+    TRIANGLE(vertices)(block, j, &a, &b, &c);
     box->low = minimum(a, minimum(b, c)), box->high = maximum(a, maximum(b, c));
 }
 
 /// Watertight (Woop, Benthin, Wald, JCGT 2(1) 2013): a ray through an edge or a vertex hits one of the triangles that share it; the signs of
 /// the edge functions are exact for the sheared vertices. Both sides count. u, v are the weights of vertices b and c.
-/// A ray that begins in the triangle's plane, within rounding, does not meet it there; what lies further off is met, however thin or far it is.
+/// Where rounding could decide on which side of the plane the ray begins, offsets of twice the digits do, however large the triangle is.
 FUNCTION Crossing TRIANGLE(crossing)(const global TriangleBlock *block, uint j, LaneRay ray) {
     const real ox = axis_of(ray.origin, ray.kx), oy = axis_of(ray.origin, ray.ky), oz = axis_of(ray.origin, ray.kz);
     const real az = LANE(block->a[ray.kz], j) - oz, bz = LANE(block->b[ray.kz], j) - oz, cz = LANE(block->c[ray.kz], j) - oz;
@@ -26,15 +31,26 @@ FUNCTION Crossing TRIANGLE(crossing)(const global TriangleBlock *block, uint j, 
     crossing.hit = (((u >= 0.0f) & (v >= 0.0f) & (w >= 0.0f)) | ((u <= 0.0f) & (v <= 0.0f) & (w <= 0.0f))) & (det != 0.0f);
     if (mask_bits(crossing.hit) == 0u) return crossing;
 
-    const real scaled_z = u * az + v * bz + w * cz;
-    crossing.t = scaled_z * ray.shear.z / det, crossing.u = v / det, crossing.v = w / det;
-    // |scaled_z| is the origin's distance from the plane times the length of n, which no rounding of the vertices changes by more than this.
+    crossing.u = v / det, crossing.v = w / det;
+    const real z = u / det * az + crossing.u * bz + crossing.v * cz;
+    crossing.t = z * ray.shear.z;
+    // |z| is at most this if rounding of the vertices as the ray sees them can make up its sign: n bounds how much the plane is inclined.
     const real farthest = largest(maximum(absolute(make3(ax, ay, az)), maximum(absolute(make3(bx, by, bz)), absolute(make3(cx, cy, cz)))));
     const real ex = bx - ax, ey = by - ay, ez = bz - az, fx = cx - ax, fy = cy - ay, fz = cz - az;
     const real n = fabs(ey * fz - ez * fy) + fabs(ez * fx - ex * fz) + fabs(ex * fy - ey * fx);
-    crossing.hit &= (crossing.t > 0.0f) & (fabs(scaled_z) > 0x1p-19f * farthest * n) & (crossing.t <= ray.t_max);
+    const real doubtful = 0x1p-19f * farthest * (n / fabs(det));
+    const mask near = crossing.hit & (fabs(z) <= doubtful);
+    crossing.hit &= near | ((crossing.t > 0.0f) & (crossing.t <= ray.t_max));
     if (mask_bits(crossing.hit) == 0u) return crossing;
-
+    if (mask_bits(near) != 0u) {
+        real3 a, b, c, normal;
+        TRIANGLE(vertices)(block, j, &a, &b, &c);
+        const real offset = plane_offset(a, b, c, ray.origin, &normal);
+        // Where the ray all but lies in the plane, the quotient's size means nothing.
+        crossing.t = where(near, minimum(2.0f * doubtful * fabs(ray.shear.z), -offset / dot3(normal, ray.direction)), crossing.t);
+        crossing.hit &= (crossing.t > 0.0f) & (crossing.t <= ray.t_max);
+        if (mask_bits(crossing.hit) == 0u) return crossing;
+    }
     LaneBox box;
     TRIANGLE(box)(block, j, &box);
     return within_box(crossing, box, ray);

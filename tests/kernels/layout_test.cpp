@@ -178,7 +178,7 @@ TEST(Layout, RecordsAreTheSameInBothLanguages) {
 TEST(Layout, WhatTravelsHasItsPromisedSize) {
     EXPECT_EQ(sizeof(Ray), 32u);
     EXPECT_EQ(sizeof(Hit), 16u);
-    EXPECT_EQ(sizeof(Path), 32u);
+    EXPECT_EQ(sizeof(Path), 28u);
     EXPECT_EQ(sizeof(SurfacePoint), 32u);
     EXPECT_EQ(sizeof(ShadingRecord), 64u);
     EXPECT_EQ(sizeof(Material), 128u);

@@ -153,6 +153,7 @@ private:
     static Sources lists_of(const PrimitiveKind &kind) {
         const std::string name = kind.name, path = "#include \"kernels/primitives/" + name;
         return {
+            {"generated/constants.h", "#define INTERIOR_SIZE 0u\n"},
             {"generated/primitives.cl", "#pragma once\n" + path + ".h\"\n#define FOR_EACH_PRIMITIVE(X) X(0, " + kind.record + ", " + name + ")\n"},
             {"generated/primitive_hits.cl", path + "_hit.cl\"\n"},
             {"generated/primitive_surfaces.cl", "#pragma once\n" + path + ".cl\"\n"},
@@ -163,10 +164,12 @@ private:
         return R"(#include "kernels/accelerators/leaf.cl"
 #include "kernels/core/lanes_1.cl"
 #define LaneRay ray_x1
+#define LaneBox box_x1
 #define Crossing crossing_x1
 #include "kernels/core/lane_ray.cl"
 #include "generated/primitive_hits.cl"
 #undef LaneRay
+#undef LaneBox
 #undef Crossing
 #include "kind.h"
             typedef struct { float t, u, v; uint hit; } Result;

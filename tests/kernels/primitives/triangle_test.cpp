@@ -48,9 +48,8 @@ real distance_to_segment(Vector p, Vector q) {
 /// Rounding, with u = 2^-24 and M the largest coordinate of a vertex seen from the origin: a sheared coordinate is off by 6 u M (two differences,
 /// |shear| <= 1 and its product), so the ray passes a vertex at a distance that is off by 9 u M at most. Within that of an edge anything goes.
 /// z, which is t times the direction's largest component, is the mean of the vertices' z with weights that are right for such vertices to 8 u: the
-/// point lies in the true plane but for (9 + 16) u M, times the plane's slope, which is at most 1 / cosine; and the mean itself is off by 8 u M. A
-/// ray that begins in the plane, within rounding, doesn't meet it; the bound is four times the error, plus what Pharr et al. add.
-std::vector<Root> roots_of(const Triangle &triangle, const Ray &ray, real start_factor) {
+/// point lies in the true plane but for (9 + 16) u M, times the plane's slope, which is at most 1 / cosine; and the mean itself is off by 8 u M.
+std::vector<Root> roots_of(const Triangle &triangle, const Ray &ray) {
     const Vector d = ray.direction, o = ray.origin, n = normal_of(triangle);
     const real d_length = length(d), u = unit_roundoff;
     Vector seen[3] = {Vector(triangle[0]) - o, Vector(triangle[1]) - o, Vector(triangle[2]) - o};
@@ -70,11 +69,8 @@ std::vector<Root> roots_of(const Triangle &triangle, const Ray &ray, real start_
     }
     const bool inside = positive || negative, near_edge = to_edges <= 9 * u * largest;
     if (!(inside || near_edge) || !std::isfinite(t)) return {};
-    return {{t, error, inside && !near_edge && std::abs(t) > start_factor * error}};
+    return {{t, error, inside && !near_edge}};
 }
-
-/// What rounding explains of a ray's beginning in the triangle's plane: a few times the error of t.
-constexpr real start_factor = 16;
 
 struct Cases {
     std::vector<Triangle> triangles;
@@ -109,7 +105,7 @@ std::size_t unexplained(const Cases &cases, std::size_t &sure) {
     const std::vector<CrossingResult> results = probe_of(cases.triangles).crossings(cases.rays);
     std::size_t bad = 0;
     for (std::size_t i = 0; i < cases.rays.size(); ++i) {
-        const std::vector<Root> roots = roots_of(cases.triangles[i], cases.rays[i], start_factor);
+        const std::vector<Root> roots = roots_of(cases.triangles[i], cases.rays[i]);
         sure += sure_hits(roots, cases.rays[i].t_max);
         const testing::AssertionResult result = explains(roots, results[i], cases.rays[i].t_max);
         if (!result && ++bad <= 3) ADD_FAILURE() << "case " << i << ": " << result.message();
@@ -179,6 +175,57 @@ TEST(Triangle, AllWidthsGiveTheSameBits) {
     EXPECT_GT(result.hits, count / 2);
     EXPECT_EQ(result.different_8, 0u);
     EXPECT_EQ(result.different_16, 0u);
+}
+
+/// Eyes 2^-30 to 1 of a triangle's size above or below it, as over a floor that reaches to the horizon: what is ahead is met, what is behind isn't.
+TEST(Triangle, OnWhichSideARayBeginsIsDecidedRight) {
+    Random random(9);
+    std::vector<Triangle> triangles;
+    std::vector<Ray> rays;
+    std::vector<real> expected;
+    while (rays.size() < count) {
+        const float size = std::exp2(random.uniform(-15, 15));
+        const Triangle triangle = {random.direction() * size, random.direction() * size, random.direction() * size};
+        const Vector n = normal_of(triangle);
+        if (!shape_of(triangle) || length(n) < 0.5L * size * size) continue;
+        const float s = random.uniform(0.2f, 0.4f), t = random.uniform(0.2f, 0.4f);
+        const vec3 above = triangle[0] * (1 - s - t) + triangle[1] * s + triangle[2] * t;
+        const vec3 origin = above + random.direction() * (size * std::exp2(random.uniform(-30, -6)));
+        const Ray ray = make_ray(origin, random.direction());
+        const real cosine = dot(ray.direction, unit(n)), height = dot(Vector(origin) - Vector(triangle[0]), unit(n));
+        if (std::abs(cosine) < 0.1L || std::abs(height) < 0x1p-34L * size) continue;  // the exact offset is right to 2^-42 of the lengths
+        triangles.push_back(triangle), rays.push_back(ray), expected.push_back(-height / cosine);
+    }
+    const std::vector<CrossingResult> results = probe_of(triangles).crossings(rays);
+    std::size_t hits = 0, very_near = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        ASSERT_EQ(results[i].hit, expected[i] > 0) << i << ": t " << expected[i];
+        if (!results[i].hit) continue;
+        ++hits;
+        const real size = length(Vector(triangles[i][0]));
+        // Below 2^-19 of the size twice the digits take over.
+        const real cosine = std::abs(dot(rays[i].direction, unit(normal_of(triangles[i]))));
+        const real error = expected[i] < 0x1p-20L * size ? 16 * unit_roundoff / cosine * expected[i] + 0x1p-38L * size
+                                                         : unit_roundoff * 2 * size * (25 / cosine + 8 * std::sqrt(3.0L));
+        ASSERT_NEAR(results[i].t, expected[i], error) << i;
+        very_near += expected[i] < 0x1p-20L * size;
+    }
+    EXPECT_GT(hits, count / 3);
+    EXPECT_GT(very_near, count / 10);
+}
+
+/// Scenes may have coordinates up to 10^15; triangles of 10^-15 are met too.
+TEST(Triangle, BothEndsOfTheRangeOfCoordinatesWork) {
+    for (const float scale : {1e-15f, 1e-12f, 1e12f, 1e15f}) {
+        const Triangle triangle = {vec3(-1, -1, 0) * scale, vec3(1, -1, 0) * scale, vec3(0, 1, 0.5f) * scale};
+        const CrossingResult far = crossing(triangle, vec3(0.25f, -0.5f, 2) * scale, {0, 0, -1});
+        ASSERT_TRUE(far.hit) << scale;
+        EXPECT_NEAR(far.t, 1.875f * scale, 1e-6f * scale);
+        const CrossingResult near = crossing(triangle, vec3(0.25f, -0.5f, 0.1250001f) * scale, {0, 0, -1});
+        ASSERT_TRUE(near.hit) << scale;
+        EXPECT_LT(near.t, 2e-7f * scale);
+        EXPECT_FALSE(crossing(triangle, vec3(0.25f, -0.5f, 0.1249999f) * scale, {0, 0, -1}).hit) << scale;
+    }
 }
 
 /// Stands for offset_bits: one vertex lies at the origin, and hits near it, where errors that follow the point's coordinates vanish.
