@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "kernels/core/items.h"
 #include "scene/accelerators/accelerator.h"
 #include "scene/error.h"
 
@@ -43,7 +44,7 @@ std::vector<PrimitiveOf> primitives_in_order(const Scene &scene) {
     std::vector<PrimitiveOf> primitives;
     for (const auto &shape : scene.shapes)
         for (std::size_t i = 0; i < shape->count(); ++i) primitives.push_back({shape.get(), i});
-    if (primitives.size() >= 0xffffffffu) throw SceneError(fmt::format("{}: {} primitives are too many", scene.file, primitives.size()));
+    if (primitives.size() > MAX_PRIMITIVES) throw SceneError(fmt::format("{}: {} primitives are too many", scene.file, primitives.size()));
     return primitives;
 }
 

@@ -36,7 +36,7 @@ FUNCTION uint major_axis(vec3 d) {
 FUNCTION ray_x8 prepare(Ray ray, float extent) {
     const vec3x8 origin = make3((float8)(ray.origin.x), (float8)(ray.origin.y), (float8)(ray.origin.z));
     const vec3x8 direction = make3((float8)(ray.direction.x), (float8)(ray.direction.y), (float8)(ray.direction.z));
-    return lane_ray(origin, direction, (float8)(ray.t_max), major_axis(ray.direction), extent);
+    return lane_ray(origin, direction, (float8)(ray.t_max), major_axis(ray.direction), (int8)((int)RAY_SOURCE(ray.tag)), extent);
 }
 
 /// The closest hit so far, what else was met, and how far behind the closest hit that is looked for: where transparent bodies touch, a ray

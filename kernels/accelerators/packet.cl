@@ -89,7 +89,7 @@ FUNCTION uint candidates(const PacketRays *packet, const global uint *words, box
 typedef struct {
     vec3x16 origin, direction;
     float16 t_max;
-    int16 kind, axis;  ///< axis of the largest component of the direction
+    int16 tag, axis;  ///< axis of the largest component of the direction
 } Packet;
 
 /// Rays first .. first + 15 of a list; lanes beyond `last` repeat the last ray and have t_max -1.
@@ -107,7 +107,7 @@ FUNCTION Packet packet_of(const global Ray *rays, const global uint *live, uint 
     packet.direction = make3(end[0], end[1], end[2]);
     const int16 lane = (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
     packet.t_max = lane < (int16)((int)(last - first)) ? start[3] : (float16)(-1.0f);
-    packet.kind = as_int16(end[3]);
+    packet.tag = as_int16(end[3]);
     const float16 x = fabs(end[0]), y = fabs(end[1]), z = fabs(end[2]);
     packet.axis = ((x >= y) & (x >= z)) ? (int16)(0) : y >= z ? (int16)(1) : (int16)(2);
     return packet;
@@ -115,7 +115,8 @@ FUNCTION Packet packet_of(const global Ray *rays, const global uint *live, uint 
 
 /// The packet's rays whose direction is largest along `axis`; the others have t_max -1. Their lanes are marked in `lanes`.
 FUNCTION PacketRays packet_rays(const Packet *packet, uint axis, float extent, int16 lanes) {
-    return packet_of_rays(lane_ray(packet->origin, packet->direction, lanes ? packet->t_max : (float16)(-1.0f), axis, extent));
+    return packet_of_rays(
+        lane_ray(packet->origin, packet->direction, lanes ? packet->t_max : (float16)(-1.0f), axis, (packet->tag >> 2 & 0x3fffffff) - 1, extent));
 }
 
 /// The lanes of the packet's rays whose direction is largest along `axis`.

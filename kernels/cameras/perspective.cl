@@ -10,6 +10,6 @@ FUNCTION Ray camera_ray(Camera camera, float x, float y) {
     ray.origin = camera.position;
     ray.direction = unit(plus(camera.corner, plus(scaled(camera.right, x), scaled(camera.down, y))));
     ray.t_max = INFINITY;
-    ray.kind = RAY_CAMERA;
+    ray.tag = RAY_TAG(RAY_CAMERA, NO_HIT);
     return ray;
 }

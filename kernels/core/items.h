@@ -8,12 +8,18 @@
 #define RAY_SHADOW 3u
 #define RAY_KINDS 4u
 
+/// What a ray is, for the counts, and the number of the primitive that it leaves, NO_HIT for none; of flat ones it cannot meet that again.
+#define RAY_TAG(kind, primitive) ((kind) | ((primitive) + 1u) << 2)
+#define RAY_KIND(tag) ((tag)&3u)
+#define RAY_SOURCE(tag) (((tag) >> 2) - 1u)
+#define MAX_PRIMITIVES 0x3ffffffeu  ///< whose numbers fit a tag
+
 /// What tracing needs; 32 bytes. It begins at t = 0 and ends at t_max. The direction has unit length in the world, but no formula assumes so.
 typedef struct {
     vec3 origin;
     float t_max;
     vec3 direction;
-    uint kind;  ///< one of RAY_KINDS, for the counts
+    uint tag;  ///< RAY_TAG
 } Ray;
 
 #define NO_HIT 0xffffffffu

@@ -9,6 +9,7 @@
 #undef twofold
 #undef twofold3
 #undef LANE
+#undef LANE_NUMBER
 #define real float
 #define real3 vec3
 #define mask int
@@ -18,12 +19,13 @@
 #define twofold3 twofold3_x1
 /// Value of primitive j of a block's column.
 #define LANE(column, j) ((column)[j])
+/// The same of a column of numbers.
+#define LANE_NUMBER(column, j) ((int)(column)[j])
 
 #ifndef LANES_1
 #define LANES_1
 #include "kernels/core/vec_functions.cl"
 #include "kernels/core/twofold.cl"
-#include "kernels/core/offsets.cl"
 
 FUNCTION uint mask_bits(int m) { return (uint)m; }
 #endif

@@ -9,6 +9,7 @@
 #undef twofold
 #undef twofold3
 #undef LANE
+#undef LANE_NUMBER
 #define real float16
 #define real3 vec3x16
 #define mask int16
@@ -18,6 +19,8 @@
 #define twofold3 twofold3_x16
 /// Value of primitive j of a block's column, for every ray.
 #define LANE(column, j) ((float16)((column)[j]))
+/// The same of a column of numbers.
+#define LANE_NUMBER(column, j) ((int16)((int)(column)[j]))
 
 #ifndef LANES_16
 #define LANES_16
@@ -26,7 +29,6 @@ typedef struct {
 } vec3x16;
 #include "kernels/core/vec_functions.cl"
 #include "kernels/core/twofold.cl"
-#include "kernels/core/offsets.cl"
 
 /// Bit j is set where lane j is true.
 FUNCTION uint mask_bits(int16 m) {

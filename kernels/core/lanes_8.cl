@@ -9,6 +9,7 @@
 #undef twofold
 #undef twofold3
 #undef LANE
+#undef LANE_NUMBER
 #define real float8
 #define real3 vec3x8
 #define mask int8
@@ -18,6 +19,8 @@
 #define twofold3 twofold3_x8
 /// Values of a whole block's column: lane j is primitive j.
 #define LANE(column, j) (*(const global float8 *)(column))
+/// The same of a column of numbers.
+#define LANE_NUMBER(column, j) (*(const global int8 *)(column))
 
 #ifndef LANES_8
 #define LANES_8
@@ -26,7 +29,6 @@ typedef struct {
 } vec3x8;
 #include "kernels/core/vec_functions.cl"
 #include "kernels/core/twofold.cl"
-#include "kernels/core/offsets.cl"
 
 /// Bit j is set where lane j is true.
 FUNCTION uint mask_bits(int8 m) {

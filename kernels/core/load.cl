@@ -9,7 +9,7 @@ FUNCTION vec3 load(const global vec3 *p) { return make3(p->x, p->y, p->z); }
 FUNCTION Ray load(const global Ray *p) {
     Ray ray;
     ray.origin = load(&p->origin), ray.direction = load(&p->direction);
-    ray.t_max = p->t_max, ray.kind = p->kind;
+    ray.t_max = p->t_max, ray.tag = p->tag;
     return ray;
 }
 

@@ -14,20 +14,20 @@ FUNCTION vec3 spawn_origin(vec3 p, vec3 offset) {
     return make3(away(p.x + offset.x, offset.x), away(p.y + offset.y, offset.y), away(p.z + offset.z, offset.z));
 }
 
-/// A ray from an origin that spawn_origin has made.
-FUNCTION Ray ray_spawn(vec3 origin, vec3 direction, uint kind) {
+/// A ray that leaves a primitive, from an origin that spawn_origin has made.
+FUNCTION Ray ray_spawn(vec3 origin, vec3 direction, uint kind, uint primitive) {
     Ray ray;
     ray.origin = origin;
     ray.direction = direction;
     ray.t_max = INFINITY;
-    ray.kind = kind;
+    ray.tag = RAY_TAG(kind, primitive);
     return ray;
 }
 
 /// From such an origin to a light that lies `distance` away; ends before it by more than the rounding of both ends.
-FUNCTION Ray ray_to_light(vec3 origin, vec3 direction, float distance) {
+FUNCTION Ray ray_to_light(vec3 origin, vec3 direction, float distance, uint primitive) {
     const float rounding = 0x1p-21f * (distance + largest(absolute(origin)));
-    Ray ray = ray_spawn(origin, direction, RAY_SHADOW);
+    Ray ray = ray_spawn(origin, direction, RAY_SHADOW, primitive);
     ray.t_max = distance < INFINITY ? maximum(distance - rounding, 0.0f) : INFINITY;
     return ray;
 }

@@ -6,6 +6,10 @@
 #include "kernels/primitives/sphere.h"
 #include "kernels/primitives/surface.h"
 
+#define SPHERE(name) sphere_surface_##name
+#include "kernels/primitives/sphere_offset.cl"
+#undef SPHERE
+
 FUNCTION SphereShading sphere_view(const global ShadingRecord *record) {
     SphereShading sphere;
     sphere.center = load_floats(record->words);
@@ -22,7 +26,7 @@ FUNCTION Surface sphere_surface(Scene scene, const global ShadingRecord *record,
     surface.geometric = unit(plus(minus(ray.origin, sphere.center), scaled(ray.direction, hit.t)));
     surface.normal = surface.geometric;
     const vec3 p = plus(sphere.center, scaled(surface.geometric, radius));
-    surface.p = minus(p, scaled(surface.geometric, sphere_offset(sphere.center, radius, p) / (2.0f * radius)));
+    surface.p = minus(p, scaled(surface.geometric, sphere_surface_offset(sphere.center, radius, p) / (2.0f * radius)));
     surface.error = plus(scaled(absolute(surface.p), 0x1p-22f), scaled(plus(absolute(sphere.center), make3(radius, radius, radius)), 0x1p-38f));
     return surface;
 }

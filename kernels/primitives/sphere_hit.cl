@@ -1,5 +1,8 @@
 // Template: crossing of a ray with a sphere, for the lane width in force.
 
+#define SPHERE(name) sphere_##name
+#include "kernels/primitives/sphere_offset.cl"
+
 FUNCTION void sphere_box(const global SphereBlock *block, uint j, LaneBox *box) {
     const real3 center = make3(LANE(block->x, j), LANE(block->y, j), LANE(block->z, j));
     const real radius = fabs(LANE(block->radius, j));
@@ -23,7 +26,7 @@ FUNCTION Crossing sphere_crossing(const global SphereBlock *block, uint j, LaneR
     crossing.hit = discriminant >= 0.0f;
     if (mask_bits(crossing.hit) == 0u) return crossing;
 
-    const real c = sphere_offset(center, radius, ray.origin);
+    const real c = SPHERE(offset)(center, radius, ray.origin);
     const real q = b + copysign(sqrt(a * discriminant), b);
     const real near = minimum(c / q, q / a), far = maximum(c / q, q / a);
     crossing.t = where((near > 0.0f) & (radius > 0.0f), near, far);
@@ -32,3 +35,4 @@ FUNCTION Crossing sphere_crossing(const global SphereBlock *block, uint j, LaneR
     sphere_box(block, j, &box);
     return within_box(crossing, box, ray);
 }
+#undef SPHERE

@@ -6,6 +6,10 @@
 #include "kernels/primitives/surface.h"
 #include "kernels/primitives/triangle.h"
 
+#define TRIANGLE(name) triangle_surface_##name
+#include "kernels/primitives/triangle_plane.cl"
+#undef TRIANGLE
+
 FUNCTION TriangleShading triangle_view(const global ShadingRecord *record) {
     TriangleShading triangle;
     triangle.a = load_floats(record->words);
@@ -21,7 +25,7 @@ FUNCTION Surface triangle_surface(Scene scene, const global ShadingRecord *recor
     const vec3 a = scaled(triangle.a, 1.0f - hit.u - hit.v), b = scaled(triangle.b, hit.u), c = scaled(triangle.c, hit.v);
     const vec3 mean = plus(a, plus(b, c));
     vec3 n;
-    const float offset = plane_offset(triangle.a, triangle.b, triangle.c, mean, &n);
+    const float offset = triangle_surface_plane_offset(triangle.a, triangle.b, triangle.c, mean, &n);
     const vec3 n1 = scaled(n, 1.0f / largest(absolute(n)));  // squares of small normals underflow
     Surface surface;
     surface.geometric = unit(n1);

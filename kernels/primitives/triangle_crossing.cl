@@ -28,7 +28,8 @@ FUNCTION Crossing TRIANGLE(crossing)(const global TriangleBlock *block, uint j, 
 
     Crossing crossing;
     crossing.t = 0.0f, crossing.u = 0.0f, crossing.v = 0.0f;
-    crossing.hit = (((u >= 0.0f) & (v >= 0.0f) & (w >= 0.0f)) | ((u <= 0.0f) & (v <= 0.0f) & (w <= 0.0f))) & (det != 0.0f);
+    crossing.hit = (LANE_NUMBER(block->primitive, j) != ray.source) &
+                   (((u >= 0.0f) & (v >= 0.0f) & (w >= 0.0f)) | ((u <= 0.0f) & (v <= 0.0f) & (w <= 0.0f))) & (det != 0.0f);
     if (mask_bits(crossing.hit) == 0u) return crossing;
 
     crossing.u = v / det, crossing.v = w / det;
@@ -45,7 +46,7 @@ FUNCTION Crossing TRIANGLE(crossing)(const global TriangleBlock *block, uint j, 
     if (mask_bits(near) != 0u) {
         real3 a, b, c, normal;
         TRIANGLE(vertices)(block, j, &a, &b, &c);
-        const real offset = plane_offset(a, b, c, ray.origin, &normal);
+        const real offset = TRIANGLE(plane_offset)(a, b, c, ray.origin, &normal);
         // Where the ray all but lies in the plane, the quotient's size means nothing.
         crossing.t = where(near, minimum(2.0f * doubtful * fabs(ray.shear.z), -offset / dot3(normal, ray.direction)), crossing.t);
         crossing.hit &= (crossing.t > 0.0f) & (crossing.t <= ray.t_max);

@@ -1,6 +1,6 @@
 // Which interface between media a ray has met, where transparent bodies overlap or touch. Only in scenes with transparent materials.
+#include "generated/interior.cl"
 #include "kernels/accelerators/levels.cl"
-#include "kernels/core/interior.cl"
 #include "kernels/core/spawn.cl"
 #include "kernels/primitives/primitive.cl"
 
@@ -113,6 +113,7 @@ kernel void find_interfaces(SCENE_PARAMS, LIVE_PARAMS, global Ray *restrict rays
             const Surface surface = SURFACE_OF(nearest.hit);
             const vec3 onward = scaled(surface.geometric, dot3(surface.geometric, ray.direction) < 0.0f ? -1.0f : 1.0f);
             ray.origin = spawn_origin(surface.p, scaled(onward, dot3(absolute(onward), surface.error)));
+            ray.tag = RAY_TAG(RAY_KIND(ray.tag), nearest.hit.primitive);
             inside = behind;
             nearest = scene_closest_hit(scene, ray);
             is_crowd = is_crowded(nearest);

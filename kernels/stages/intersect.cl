@@ -13,8 +13,8 @@ kernel void intersect(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays
         const Hit hit = nearest.hit;
         hits[i] = hit;
         if (INTERIOR_SIZE > 0u) crowded[i] = is_crowded(nearest);
-        tally.rays[ray.kind] += 1u;
-        tally.hits[ray.kind] += hit.primitive != NO_HIT;
+        tally.rays[RAY_KIND(ray.tag)] += 1u;
+        tally.hits[RAY_KIND(ray.tag)] += hit.primitive != NO_HIT;
     }
     tallies[get_global_id(0)] = tally;
 }

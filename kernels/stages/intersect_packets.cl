@@ -36,7 +36,7 @@ kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
         if (INTERIOR_SIZE > 0u) store_crowded(crowded + begin, rays_here, closest);
         const int16 here = packet.t_max >= 0.0f, hit = closest.primitive != (uint16)(NO_HIT);
         for (uint kind = 0u; kind < RAY_KINDS; ++kind) {
-            const int16 of_kind = here & (packet.kind == (int16)((int)kind));
+            const int16 of_kind = here & ((packet.tag & 3) == (int16)((int)kind));
             tally.rays[kind] += popcount(mask_bits(of_kind));
             tally.hits[kind] += popcount(mask_bits(of_kind & hit));
         }

@@ -49,7 +49,11 @@ Scene soup(bool with_mirrors, bool with_glass) {
     Scene scene = scene_seen_from({0, 0, 4}, {0, 0, 0}, 40, 50);
     add_soup(scene, add_material(scene, matte(0.5f)), {.spheres = 20, .triangles = 40, .smooth_triangles = 20, .frusta = 20, .size = 0.4f});
     if (with_mirrors) add_soup(scene, add_material(scene, mirror(0.5f)), {.spheres = 20, .size = 0.4f, .seed = 2});
-    if (with_glass) add_soup(scene, add_material(scene, glass(1.5f)), {.spheres = 20, .size = 0.4f, .seed = 3});
+    if (with_glass) {  // apart, so that no interface is hidden
+        const uint clear = add_material(scene, glass(1.5f));
+        for (int corner = 0; corner < 8; ++corner)
+            add_sphere(scene, clear, {corner & 1 ? 0.6f : -0.6f, corner & 2 ? 0.6f : -0.6f, corner & 4 ? 0.6f : -0.6f}, 0.4f);
+    }
     scene.lights = {point_light({2, 2, 2}, Spectrum(1)), point_light({-2, 2, 2}, Spectrum(1)), directional_light({0, 1, 0}, Spectrum(1))};
     return scene;
 }
@@ -67,7 +71,7 @@ TEST(Counts, OfTracingStagesAreThoseOfTheHitsReadBack) {
         const auto expect_tally = [&](const std::vector<Hit> &hits) {
             Tally expected{};
             for (std::size_t i = 0; i < rays.size(); ++i)
-                expected.rays[rays[i].kind] += 1, expected.hits[rays[i].kind] += hits[i].primitive != NO_HIT;
+                expected.rays[RAY_KIND(rays[i].tag)] += 1, expected.hits[RAY_KIND(rays[i].tag)] += hits[i].primitive != NO_HIT;
             for (uint kind = 0; kind < RAY_KINDS; ++kind) {
                 EXPECT_EQ(traced.tally().rays[kind], expected.rays[kind]) << accelerator << ", kind " << kind;
                 EXPECT_EQ(traced.tally().hits[kind], expected.hits[kind]) << accelerator << ", kind " << kind;

@@ -59,7 +59,7 @@ const Layouts &host_layouts() {
     static const Layouts layouts = {
         RECORD(vec2, x, y),
         RECORD(vec3, x, y, z),
-        RECORD(Ray, origin, t_max, direction, kind),
+        RECORD(Ray, origin, t_max, direction, tag),
         RECORD(Hit, t, u, v, primitive),
         RECORD(Path, throughput, slot, branch, depth, bsdf_pdf),
         RECORD(SurfacePoint, origin, material, normal, flags),

@@ -78,7 +78,7 @@ public:
                 const Surface surface = NAME(surface)(scene, records + i, ray, hit);
                 const float side = dot3(surface.geometric, directions[i]) < 0.0f ? -1.0f : 1.0f;
                 const vec3 offset = scaled(surface.geometric, side * dot3(absolute(surface.geometric), surface.error));
-                const Ray next = ray_spawn(spawn_origin(surface.p, offset), directions[i], RAY_REFLECTED);
+                const Ray next = ray_spawn(spawn_origin(surface.p, offset), directions[i], RAY_REFLECTED, NO_HIT);
                 results[i].surface = surface;
                 results[i].origin = next.origin;
                 results[i].second = cross_one(blocks, i, next, extents[i]);
@@ -125,7 +125,7 @@ public:
                         t_max[r] = axes[r] == axis ? ray.t_max : -1.0f;
                     }
                     const ray_x16 ray = lane_ray(make3(vload16(0, o[0]), vload16(0, o[1]), vload16(0, o[2])),
-                                                 make3(vload16(0, d[0]), vload16(0, d[1]), vload16(0, d[2])), vload16(0, t_max), axis, extent);
+                                                 make3(vload16(0, d[0]), vload16(0, d[1]), vload16(0, d[2])), vload16(0, t_max), axis, (int16)(-1), extent);
                     for (uint j = 0u; j < 8u; ++j) {
                         const crossing_x16 c = NAME(crossing)(blocks + block, j, ray);
                         float t[16], u[16], v[16];
@@ -174,7 +174,7 @@ private:
 #include "kind.h"
             typedef struct { float t, u, v; uint hit; } Result;
             FUNCTION Result cross_one(const global Block *blocks, uint i, Ray ray, float extent) {
-                const ray_x1 lane = lane_ray(ray.origin, ray.direction, ray.t_max, major_axis(ray.direction), extent);
+                const ray_x1 lane = lane_ray(ray.origin, ray.direction, ray.t_max, major_axis(ray.direction), (int)RAY_SOURCE(ray.tag), extent);
                 const crossing_x1 c = NAME(crossing)(blocks + i / BLOCK_SIZE, i % BLOCK_SIZE, lane);
                 const Result result = {c.t, c.u, c.v, c.hit != 0};
                 return result;
