@@ -4,9 +4,12 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "scene/formats/format.h"
 #include "tests/images/spd_reference.h"
+#include "tests/images/spd_teapot.h"
+#include "tests/scene/formats/temporary_file.h"
 #include "tests/support/probe.h"
 #include "tests/support/rendering.h"
 
@@ -20,77 +23,74 @@ enum Count { PRIMARY, PRIMARY_HITS, SHADOW, SHADOW_HITS, SECONDARY, SECONDARY_HI
 constexpr const char *count_names[COUNTS] = {"primary rays", "primary hits", "shadow rays", "shadow hits", "secondary rays", "secondary hits"};
 using CountArray = std::array<std::uint64_t, COUNTS>;
 
-/// Why a published count differs: with these conventions the reference counts what Havran counted, within a part `tolerance`.
-struct Cause {
-    std::vector<Count> counts;
-    double tolerance;
-    const char *why;
-    spd::Conventions conventions;
-    bool all_inner_shadow_rays_hit = false;
+/// Of data/spd/Readme.txt.
+struct ReadmeCounts {
+    std::uint64_t primary_hits, reflected, refracted, shadow;
 };
 
 struct Published {
     const char *name;
-    CountArray havran;                              ///< data/spd/EXPECTED.md
-    std::uint64_t readme_shadow, readme_secondary;  ///< data/spd/Readme.txt
-    std::vector<Cause> causes;
-    std::vector<Count> unexplained;  ///< within 10 % nevertheless
+    CountArray havran;  ///< data/spd/EXPECTED.md
+    ReadmeCounts readme;
 };
 void PrintTo(const Published &published, std::ostream *out) { *out << published.name; }
 
-// What causes were found, by switching conventions in the reference until it counted what Havran did:
-// * His spawned rays begin at t = 0.01 (the `hither` of two of the scenes). Where bodies touch or run into each other, rays leave through walls
-//   thinner than that: balls -0.06 and -0.07 % instead of -2.2 and -5.7 % (secondary rays and hits), gears' secondary hits -0.003 % instead of
-//   +5.1 %, mount's shadow hits -1.1 % instead of +3.4 %, teapot's secondary hits +0.9 % instead of +1.4 %.
-// * gears: light falls on the outside of transparent surfaces, so a ray to a light from their inside passes them at once; all of those count as hits:
-//   +0.34 % instead of -20.6 %. Ours begin outside.
-// * rings: opaque surfaces have one side (rule 2 of the readme allows it): all counts within 0.05 %, instead of up to +2.3 %. It matters only because
-//   his rays get into the pipes by beginning at 0.01.
-// * teapot: light falls only where both the interpolated and the geometric normal face it: shadow rays -0.01 % instead of +1.0 %. Of these fewer hit:
-//   he has 34,757, with front faces only -5.5 %, with both sides +16 %; which rays he has beyond is not known.
-// * tree: he has 1.1 % more shadow rays than the readme, which has ours within 0.04 %, and 9 % more hits; no convention tried (cones' normals without
-//   slope or with the opposite one, one-sided surfaces, beginnings of rays, numbers rounded to float) gives both. POV-Ray 3.7, in double, counts
-//   43,606 hits for our 43,395.
-const spd::Conventions late{.start = 0.01};
-const spd::Conventions late_and_one_sided{.one_sided = true, .one_sided_shadows = true, .start = 0.01};
-const spd::Conventions both_normals{.both_normals_lit = true, .one_sided_shadows = true};
+constexpr CountArray teapot_counts = {263169, 161546, 406340, 34757, 226235, 67688};
+constexpr ReadmeCounts teapot_readme = {161120, 225248, 0, 407656};
 
+// Both sets of the teapot are of size 12: the readme has 9264 primitives, Havran's grid of one cell per primitive 8932 cells, and he has the primary
+// hits of size 12 to the last one, 161,546 (of size 6: 161,449). teapot_s6.nff has 2292 primitives; its coarser facets shade themselves more.
 const std::vector<Published> scenes = {
-    {"balls_s4",
-     {263169, 263169, 959244, 285178, 179884, 134368},
-     954368,
-     175095,
-     {{{SECONDARY, SECONDARY_HITS}, 0.001, "his spawned rays begin at 0.01", late}},
-     {}},
-    {"gears_s4",
-     {263169, 245332, 2088012, 1057557, 494338, 365338},
-     2246955,
-     304643 + 207564,
-     {{{SHADOW, SHADOW_HITS}, 0.004, "his spawned rays begin at 0.01, those to lights on the wrong side of transparent surfaces", late, true},
-      {{SECONDARY_HITS}, 0.001, "his spawned rays begin at 0.01", late}},
-     {}},
-    {"mount_s6",
-     {263169, 173685, 361037, 74555, 710436, 472351},
-     412922,
-     2 * 354769,
-     {{{SHADOW, SECONDARY, SECONDARY_HITS}, 0.004, "his spawned rays begin at 0.01", late}, {{SHADOW_HITS}, 0.012, "the same", late}},
-     {}},
-    {"rings_s7",
-     {263169, 263169, 1077336, 510719, 312879, 175688},
-     1085002,
-     315236,
-     {{{SHADOW, SHADOW_HITS, SECONDARY, SECONDARY_HITS}, 0.001, "his surfaces have one side, his spawned rays begin at 0.01", late_and_one_sided}},
-     {}},
-    {"teapot_s6",
-     {263169, 161546, 406340, 34757, 226235, 67688},
-     407656,
-     225248,
-     {{{SHADOW}, 0.001, "for light both normals must face it", both_normals},
-      {{SHADOW_HITS}, 0.06, "the same, and shadow rays see front faces only", both_normals},
-      {{SECONDARY_HITS}, 0.01, "his spawned rays begin at 0.01", late}},
-     {}},
-    {"tetra_s6", {263169, 49950, 46262, 5538, 0, 0}, 46112, 0, {}, {}},
-    {"tree_s11", {263169, 169907, 1110323, 47506, 0, 0}, 1097419, 0, {}, {SHADOW_HITS}},
+    {"balls_s4", {263169, 263169, 959244, 285178, 179884, 134368}, {263169, 175095, 0, 954368}},
+    {"gears_s4", {263169, 245332, 2088012, 1057557, 494338, 365338}, {245086, 304643, 207564, 2246955}},
+    {"mount_s6", {263169, 173685, 361037, 74555, 710436, 472351}, {173125, 354769, 354769, 412922}},
+    {"rings_s7", {263169, 263169, 1077336, 510719, 312879, 175688}, {263169, 315236, 0, 1085002}},
+    {"teapot_s6", teapot_counts, teapot_readme},
+    {"teapot_s12", teapot_counts, teapot_readme},
+    {"tetra_s6", {263169, 49950, 46262, 5538, 0, 0}, {49788, 0, 0, 46112}},
+    {"tree_s11", {263169, 169907, 1110323, 47506, 0, 0}, {169836, 0, 0, 1097419}},
+};
+
+/// The scenes that are of the published size.
+std::vector<Published> published_scenes() {
+    std::vector<Published> result = scenes;
+    std::erase_if(result, [](const Published &scene) { return scene.name == std::string("teapot_s6"); });
+    return result;
+}
+
+// Neither his program nor that of the readme is at hand: its conventions are what a search found. One set yields all of his counts within 0.4 % (but
+// mount's shadow hits, -0.84 %), another all of the readme's within 0.5 %. What each of his changes, from the set without it to the whole set:
+// * lit as given (rule 10 to the letter): shadow hits of balls +7.4 % to -0.02 %, of teapot +16 % to -0.04 %.
+// * start 0.01 (the `hither` of two of the scenes; bodies touch or run into each other, and rays leave through walls thinner than that): secondary
+//   hits of balls -5.7 % to -0.07 %, of gears +5.1 % to -0.004 %, of rings +2.3 % to -0.04 %; shadow hits of tree +20 % to -0.13 %.
+// * shadow rays against polygons from 0 (so a ray from inside of a gear to a light that its outside faces meets that same polygon): shadow hits of
+//   gears -22.6 % to +0.03 %, of mount -1.1 % to -0.8 %.
+// * one-sided cones (rule 2 allows it): all counts of rings, from +3.0 % to within 0.04 %; shadow hits of tree +10.5 % to -0.13 %.
+// * cones' normals by the ratio of radii (the normal of a cone of height 1, turned but not scaled): tree's shadow rays -1.1 % to +0.005 %, its shadow
+//   hits -10.6 % to -0.13 %. Only tree has cones, so this is the weakest; but none of 16 other formulas gave both within 1 % with one-sided cones.
+// * refracted rays counted at total reflection: mount's secondary rays -0.38 % to 0 (equal), gears' -1.24 % to -0.002 %.
+const spd::Conventions havran{.lit = spd::LitSide::as_given,
+                              .one_sided_cones = true,
+                              .cone_normals_of_ratio = true,
+                              .total_reflection_refracts = true,
+                              .start = 0.01,
+                              .polygons_shade_from_zero = true};
+const spd::Conventions readme{.lit = spd::LitSide::viewer, .total_reflection_refracts = true};
+
+/// Counts of ours that are not within 10 % of Havran's, and stay so: ours are by the readme's conventions, but that light falls on the outside of
+/// transparent surfaces, on which it agrees with Havran.
+struct Deviation {
+    std::string scene;
+    Count count;
+    std::uint64_t ours, havran;
+};
+const std::vector<Deviation> deviations = {
+    // -20.6 %: his shadow rays from inside of a gear meet the polygon that they start on; ours begin outside. With his conventions +0.03 %.
+    {"gears_s4", SHADOW_HITS, 840022, 1057557},
+    // +17 %: his patches shade where their interpolated normal faces the light, also behind, and not within 0.01. With his conventions -0.04 %.
+    {"teapot_s12", SHADOW_HITS, 40678, 34757},
+    // +28 %: besides, his teapot is of size 12.
+    {"teapot_s6", SHADOW_HITS, 44552, 34757},
 };
 
 CountArray array_of(const spd::Counts &counts) {
@@ -110,14 +110,17 @@ double difference(std::uint64_t ours, std::uint64_t other) {
     return other == 0 ? static_cast<double>(ours) : static_cast<double>(ours) / static_cast<double>(other) - 1;
 }
 
-bool lies_between(std::uint64_t value, std::uint64_t a, std::uint64_t b) { return value >= std::min(a, b) && value <= std::max(a, b); }
-
 class SpdScene : public testing::TestWithParam<Published> {
 protected:
     void SetUp() override {
-        if (!std::filesystem::exists(file())) GTEST_SKIP() << "needs " << file() << ": set BRANDUNG_DATA";
+        if (!std::filesystem::exists(data("balls_s4"))) GTEST_SKIP() << "needs " << data("balls_s4") << ": set BRANDUNG_DATA";
     }
-    static std::string file() { return std::string(BRANDUNG_DATA) + "/spd/" + GetParam().name + ".nff"; }
+    static std::string data(const std::string &name) { return std::string(BRANDUNG_DATA) + "/spd/" + name + ".nff"; }
+    static std::string file() {
+        if (GetParam().name != std::string("teapot_s12")) return data(GetParam().name);
+        static const TemporaryFile teapot(spd::teapot_of_size(data("teapot_s6"), 12), ".nff");
+        return teapot.path;
+    }
 
     static Scene read(uint size = resolution) {
         Scene scene = read_scene(file());
@@ -174,36 +177,43 @@ TEST_P(SpdScene, ReflectedAndRefractedRaysAreThoseOfTheReference) {
     expect_near(ours.hits[RAY_REFRACTED], expected.refracted_hits);
 }
 
-TEST_P(SpdScene, CountsAreThePublishedOnesOrTheCauseIsKnown) {
+TEST_P(SpdScene, CountsAreWithinTenPercentOfThePublishedOnesButForListedDeviations) {
     const Published &published = GetParam();
     const CountArray ours = array_of(rendering().counts);
     EXPECT_EQ(ours[PRIMARY], published.havran[PRIMARY]);
     EXPECT_LE(std::abs(difference(ours[PRIMARY_HITS], published.havran[PRIMARY_HITS])), 0.003);
     for (const Count i : {SHADOW, SHADOW_HITS, SECONDARY, SECONDARY_HITS}) {
-        SCOPED_TRACE(fmt::format("{}: {}, Havran {} ({:+.2f} %)", count_names[i], ours[i], published.havran[i],
-                                 100 * difference(ours[i], published.havran[i])));
-        const std::uint64_t readme = i == SHADOW ? published.readme_shadow : i == SECONDARY ? published.readme_secondary : published.havran[i];
-        if (std::abs(difference(ours[i], published.havran[i])) <= 0.01 || lies_between(ours[i], published.havran[i], readme)) continue;
-        const auto explains = [&](const Cause &cause) { return std::find(cause.counts.begin(), cause.counts.end(), i) != cause.counts.end(); };
-        const bool unexplained = std::find(published.unexplained.begin(), published.unexplained.end(), i) != published.unexplained.end();
-        const bool explained = std::any_of(published.causes.begin(), published.causes.end(), explains);
-        EXPECT_TRUE(explained || unexplained) << "differs, and no cause is known";
-        if (unexplained) {
-            EXPECT_LE(std::abs(difference(ours[i], published.havran[i])), 0.1);
+        const double measured = difference(ours[i], published.havran[i]);
+        SCOPED_TRACE(fmt::format("{}: {}, Havran {} ({:+.2f} %)", count_names[i], ours[i], published.havran[i], 100 * measured));
+        const auto listed = std::find_if(deviations.begin(), deviations.end(),
+                                         [&](const Deviation &deviation) { return deviation.scene == published.name && deviation.count == i; });
+        if (listed == deviations.end()) {
+            EXPECT_LE(std::abs(measured), 0.1);
+            continue;
         }
+        EXPECT_EQ(published.havran[i], listed->havran);
+        EXPECT_LE(std::abs(difference(ours[i], listed->ours)), 0.0005);
+        EXPECT_GT(std::abs(measured), 0.1) << "no deviation any more";
     }
 }
 
-/// The reference, which counts what we count (above), counts what Havran counted under the conventions that are said to be his.
-TEST_P(SpdScene, CausesReproduceThePublishedCounts) {
-    for (const Cause &cause : GetParam().causes) {
-        const spd::Counts counts = reference().count(resolution, resolution, cause.conventions);
-        CountArray changed = array_of(counts);
-        if (cause.all_inner_shadow_rays_hit) changed[SHADOW_HITS] += counts.inner_shadow - counts.inner_shadow_hits;
-        for (const Count i : cause.counts)
-            EXPECT_LE(std::abs(difference(changed[i], GetParam().havran[i])), cause.tolerance)
-                << count_names[i] << ": " << changed[i] << " where " << cause.why << ", Havran " << GetParam().havran[i];
-    }
+class SpdPublished : public SpdScene {};
+
+/// The reference, which counts what we count (above), counts what was published under the conventions that are said to be theirs.
+TEST_P(SpdPublished, HavransConventionsReproduceHavransCounts) {
+    const CountArray counts = array_of(reference().count(resolution, resolution, havran));
+    for (uint i = 0; i < COUNTS; ++i)
+        EXPECT_LE(std::abs(difference(counts[i], GetParam().havran[i])), 0.01)
+            << count_names[i] << ": " << counts[i] << ", Havran " << GetParam().havran[i];
+}
+
+TEST_P(SpdPublished, TheReadmesConventionsReproduceTheReadmesCounts) {
+    const spd::Counts counts = reference().count(resolution, resolution, readme);
+    const ReadmeCounts &expected = GetParam().readme;
+    EXPECT_LE(std::abs(difference(counts.primary_hits, expected.primary_hits)), 0.01) << counts.primary_hits;
+    EXPECT_LE(std::abs(difference(counts.reflected, expected.reflected)), 0.01) << counts.reflected;
+    EXPECT_LE(std::abs(difference(counts.refracted, expected.refracted)), 0.01) << counts.refracted;
+    EXPECT_LE(std::abs(difference(counts.shadow, expected.shadow)), 0.01) << counts.shadow;
 }
 
 TEST_P(SpdScene, BatchesAndThreadsChangeNoBit) {
@@ -232,6 +242,31 @@ TEST_P(SpdScene, AcceleratorsChangeNoBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SpdScene, testing::ValuesIn(scenes), [](const auto &info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(All, SpdPublished, testing::ValuesIn(published_scenes()), [](const auto &info) { return info.param.name; });
+
+/// The file's numbers have six digits, of positions and of unit normals.
+TEST(SpdTeapot, OfSizeSixIsTheFileAndOfSizeTwelveHasThePublishedNumberOfPrimitives) {
+    const std::string file = std::string(BRANDUNG_DATA) + "/spd/teapot_s6.nff";
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << "needs " << file << ": set BRANDUNG_DATA";
+    std::ifstream given(file);
+    std::istringstream made(spd::teapot_of_size(file, 6));
+    for (std::string a, b; given >> a;) {
+        ASSERT_TRUE(made >> b);
+        char *end = nullptr;
+        const double number = std::strtod(a.c_str(), &end);
+        if (*end != 0) {
+            ASSERT_EQ(b, a);
+        } else {
+            ASSERT_NEAR(std::stod(b), number, 2e-4);
+        }
+    }
+    std::string left;
+    EXPECT_FALSE(made >> left);
+    std::istringstream fine(spd::teapot_of_size(file, 12));
+    unsigned primitives = 0;
+    for (std::string word; fine >> word;) primitives += word == "p" || word == "pp";
+    EXPECT_EQ(primitives, 9264u);
+}
 
 /// The reference alone: a few counts by hand, so that the two tracers cannot be wrong together in the same way.
 TEST(SpdReference, CountsASphereOverAFloorByHand) {
@@ -260,6 +295,5 @@ TEST(SpdReference, CountsASphereOverAFloorByHand) {
     // Shadow rays where light falls: eight floor hits (all lit, none in the shadow: its edge is 1/sqrt 8 * 5 = 1.77 away, and the nearest are at
     // 1.763, which is within it), floor hits 3', 5', 5'' under the ball, and the ball's top at 1, 3, 5, 5''' but not its bottom.
     EXPECT_EQ(counts.shadow, 8 + 3 + 4u);
-    EXPECT_EQ(counts.inner_shadow, 3u);     // 3, 5, 5''' from inside
     EXPECT_EQ(counts.shadow_hits, 4 + 3u);  // the four nearest, and those under the ball
 }

@@ -16,7 +16,6 @@ Counts &Counts::operator+=(const Counts &other) {
     shadow += other.shadow, shadow_hits += other.shadow_hits;
     reflected += other.reflected, reflected_hits += other.reflected_hits;
     refracted += other.refracted, refracted_hits += other.refracted_hits;
-    inner_shadow += other.inner_shadow, inner_shadow_hits += other.inner_shadow_hits;
     return *this;
 }
 
@@ -332,6 +331,14 @@ Vec patch_normal(const Thing &thing, const Vec &p) {
     return glm::normalize(wa * glm::normalize(na) + wb * glm::normalize(nb) + (1 - wa - wb) * glm::normalize(nc));
 }
 
+/// The outward normal for light at p, a point of the surface.
+Vec shading_normal(const Thing &thing, const Vec &p, const Conventions &conventions) {
+    if (!thing.normals.empty()) return patch_normal(thing, p);
+    if (thing.kind != Kind::cone || !conventions.cone_normals_of_ratio) return geometric_normal(thing, p);
+    const Vec f = p - thing.base, across = glm::normalize(f - glm::dot(f, thing.axis) * thing.axis);
+    return glm::normalize(across - thing.slope * thing.height / thing.radius * thing.axis);
+}
+
 }  // namespace
 
 // ---- counting --------------------------------------------------------------------------------------------------------------------------------
@@ -351,26 +358,25 @@ struct Reference::Implementation {
         const Vec outward = geometric_normal(thing, p);
         const bool enters = glm::dot(outward, ray.direction) < 0;
         const Vec geometric = enters ? outward : -outward;
-        Vec normal = thing.normals.empty() ? outward : patch_normal(thing, p);
-        if (glm::dot(normal, geometric) < 0) normal = -normal;
-        const bool from_inside = scene.surfaces.at(thing.surface).transmission > 0 && !enters;
+        const Vec given = shading_normal(thing, p, conventions);
+        const Vec normal = glm::dot(given, geometric) < 0 ? -given : given;
+        const bool outside = conventions.lit == LitSide::outside_if_transparent && scene.surfaces.at(thing.surface).transmission > 0 && !enters;
+        const Vec lit = conventions.lit == LitSide::as_given ? given : outside ? -normal : normal;
         for (const Vec &light : scene.lights)
-            send_to(light, p, from_inside ? -geometric : geometric, from_inside ? -normal : normal, from_inside, conventions, counts);
+            if (glm::dot(lit, light - p) > 0) send_to(light, p + offset * extent * (outside ? -geometric : geometric), conventions, counts);
         if (depth < max_depth) spawn(ray, thing, p, geometric, normal, depth, conventions, counts);
     }
 
-    /// A shadow ray, where light falls on that side.
-    void send_to(const Vec &light, const Vec &p, const Vec &geometric, const Vec &normal, bool from_inside, const Conventions &conventions,
-                 Counts &counts) const {
-        const Vec start = p + offset * extent * geometric, way = light - start;
-        if (glm::dot(normal, way) <= 0 || (conventions.both_normals_lit && glm::dot(geometric, way) <= 0)) return;
-        const double distance = glm::length(way);
-        const Ray ray{start, way / distance, conventions.start, distance};
-        const bool blocked =
-            tree.closest(ray, true, [&](const Thing &thing, const Vec &q) { return !conventions.one_sided_shadows || is_there(thing, q, ray); })
-                .thing != nullptr;
-        counts.shadow += 1, counts.shadow_hits += blocked;
-        if (from_inside) counts.inner_shadow += 1, counts.inner_shadow_hits += blocked;
+    /// A shadow ray.
+    void send_to(const Vec &light, const Vec &start, const Conventions &conventions, Counts &counts) const {
+        const double distance = glm::length(light - start);
+        const Ray ray{start, (light - start) / distance, 0, distance};
+        const auto counted = [&](const Thing &thing, const Vec &p) {
+            const bool polygon = thing.kind == Kind::polygon && thing.normals.empty();
+            const double first = conventions.polygons_shade_from_zero && polygon ? 0 : conventions.start;
+            return is_there(thing, p, ray, conventions) && glm::distance(start, p) > first;
+        };
+        counts.shadow += 1, counts.shadow_hits += tree.closest(ray, true, counted).thing != nullptr;
     }
 
     void spawn(const Ray &ray, const Thing &thing, const Vec &p, const Vec &geometric, const Vec &normal, unsigned depth,
@@ -386,21 +392,21 @@ struct Reference::Implementation {
         if (surface.transmission == 0) return;
         const bool enters = glm::dot(geometric_normal(thing, p), ray.direction) < 0;
         const double eta = enters ? 1 / surface.index : surface.index, cosine_squared = 1 - eta * eta * (1 - cosine * cosine);
-        if (cosine_squared < 0) return;
+        if (cosine_squared < 0) {
+            counts.refracted += conventions.total_reflection_refracts;
+            return;
+        }
         send(eta * ray.direction + (eta * cosine - std::sqrt(cosine_squared)) * normal, counts.refracted, counts.refracted_hits);
     }
 
-    /// Whether the thing's surface at p has a side towards the ray's beginning, if opaque surfaces have one side only.
-    bool is_there(const Thing &thing, const Vec &p, const Ray &ray) const {
-        return scene.surfaces[thing.surface].transmission > 0 || glm::dot(geometric_normal(thing, p), ray.direction) < 0;
+    /// Whether the thing's surface at p has a side towards the ray's beginning.
+    static bool is_there(const Thing &thing, const Vec &p, const Ray &ray, const Conventions &conventions) {
+        return !conventions.one_sided_cones || thing.kind != Kind::cone || glm::dot(geometric_normal(thing, p), ray.direction) < 0;
     }
 
     /// Whether the ray hits anything.
     bool trace(const Ray &ray, unsigned depth, const Conventions &conventions, Counts &counts) const {
-        const Candidate hit = tree.closest(ray, false, [&](const Thing &thing, const Vec &p) {
-            return !conventions.one_sided || scene.surfaces[thing.surface].transmission > 0 ||
-                   glm::dot(geometric_normal(thing, p), ray.direction) < 0;
-        });
+        const Candidate hit = tree.closest(ray, false, [&](const Thing &thing, const Vec &p) { return is_there(thing, p, ray, conventions); });
         if (hit.thing) shade(ray, hit, depth, conventions, counts);
         return hit.thing != nullptr;
     }
