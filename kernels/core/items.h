@@ -8,7 +8,7 @@
 #define RAY_SHADOW 3u
 #define RAY_KINDS 4u
 
-/// What a ray is, for the counts, and the number of the primitive that it leaves, NO_HIT for none; of flat ones it cannot meet that again.
+/// What a ray is, for the counts, and the number of the primitive that it leaves, NO_HIT for none: if that is flat, the ray cannot meet it again.
 #define RAY_TAG(kind, primitive) ((kind) | ((primitive) + 1u) << 2)
 #define RAY_KIND(tag) ((tag)&3u)
 #define RAY_SOURCE(tag) (((tag) >> 2) - 1u)

@@ -78,8 +78,10 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
 }
 
 /// Work-items (chunk, row): the shadow ray from hit i to light first_light + row, at row * stride + i; alive where the light faces the surface.
+/// Where it faces the shading normal only, the ray goes through the surface itself, and meets it.
 kernel void spawn_shadow_rays(SCENE_PARAMS, uint first_light, uint stride, uint count, const global Hit *restrict hits,
-                              const global SurfacePoint *restrict points, global Ray *restrict shadow_rays, global uchar *restrict alive) {
+                              const global SurfacePoint *restrict points, const global SurfaceInterface *restrict interfaces,
+                              global Ray *restrict shadow_rays, global uchar *restrict alive) {
     const Scene scene = SCENE;
     const uint row = get_global_id(1);
     const Light light = SCENE_ARRAY(scene, Light, lights)[first_light + row];
@@ -88,9 +90,10 @@ kernel void spawn_shadow_rays(SCENE_PARAMS, uint first_light, uint stride, uint 
     FOR_EACH_ITEM(i, count) {
         const SurfacePoint surface = load(points + i);
         const LightSample sample = light_sample(light, surface.origin);
+        const bool leaves = dot3(load(interfaces + i).geometric, sample.direction) > 0.0f;
         const bool faces = dot3(surface.normal, sample.direction) > 0.0f;
         const bool lit = (surface.flags & SURFACE_LIT) != 0u;
-        row_rays[i] = ray_to_light(surface.origin, sample.direction, sample.distance, load(hits + i).primitive);
+        row_rays[i] = ray_to_light(surface.origin, sample.direction, sample.distance, leaves ? load(hits + i).primitive : NO_HIT);
         row_alive[i] = lit && faces && largest(sample.irradiance) > 0.0f;
     }
 }

@@ -68,14 +68,16 @@ std::vector<Published> published_scenes() {
 // * one-sided cones (rule 2 allows it): all counts of rings, from +3.0 % to within 0.04 %; shadow hits of tree +10.5 % to -0.13 %.
 // * cones' normals by the ratio of radii (the normal of a cone of height 1, turned but not scaled): tree's shadow rays -1.1 % to +0.005 %, its shadow
 //   hits -10.6 % to -0.13 %. Only tree has cones, so this is the weakest; but none of 16 other formulas gave both within 1 % with one-sided cones.
+// * rays that the patches' interpolated normals mirror into the body go there: teapot's secondary hits -1.3 % to -0.25 %.
 // * refracted rays counted at total reflection: mount's secondary rays -0.38 % to 0 (equal), gears' -1.24 % to -0.002 %.
 const spd::Conventions havran{.lit = spd::LitSide::as_given,
                               .one_sided_cones = true,
                               .cone_normals_of_ratio = true,
                               .total_reflection_refracts = true,
+                              .shading_normals_lead_inside = true,
                               .start = 0.01,
                               .polygons_shade_from_zero = true};
-const spd::Conventions readme{.lit = spd::LitSide::viewer, .total_reflection_refracts = true};
+const spd::Conventions readme{.lit = spd::LitSide::viewer, .total_reflection_refracts = true, .shading_normals_lead_inside = true};
 
 /// Counts of ours that are not within 10 % of Havran's, and stay so: ours are by the readme's conventions, but that light falls on the outside of
 /// transparent surfaces, on which it agrees with Havran.
@@ -86,11 +88,11 @@ struct Deviation {
 };
 const std::vector<Deviation> deviations = {
     // -20.6 %: his shadow rays from inside of a gear meet the polygon that they start on; ours begin outside. With his conventions +0.03 %.
-    {"gears_s4", SHADOW_HITS, 840022, 1057557},
-    // +17 %: his patches shade where their interpolated normal faces the light, also behind, and not within 0.01. With his conventions -0.04 %.
-    {"teapot_s12", SHADOW_HITS, 40678, 34757},
-    // +28 %: besides, his teapot is of size 12.
-    {"teapot_s6", SHADOW_HITS, 44552, 34757},
+    {"gears_s4", SHADOW_HITS, 840009, 1057557},
+    // +16 %: his patches shade where their interpolated normal faces the light, also behind, and not within 0.01. With his conventions -0.04 %.
+    {"teapot_s12", SHADOW_HITS, 40148, 34757},
+    // +22 %: besides, his teapot is of size 12.
+    {"teapot_s6", SHADOW_HITS, 42393, 34757},
 };
 
 CountArray array_of(const spd::Counts &counts) {

@@ -387,8 +387,13 @@ struct Reference::Implementation {
             rays += 1;
             hits += trace({start, glm::normalize(direction), conventions.start, infinity}, depth + 1, conventions, counts);
         };
-        const double cosine = std::max(0.0, -glm::dot(ray.direction, normal));
-        if (surface.reflection > 0 || surface.transmission > 0) send(ray.direction + 2 * cosine * normal, counts.reflected, counts.reflected_hits);
+        const auto folded = [&](const Vec &direction, const Vec &side) {
+            const double behind = conventions.shading_normals_lead_inside ? 0 : std::max(0.0, -glm::dot(direction, side));
+            return direction + 2 * behind * side;
+        };
+        const double projection = -glm::dot(ray.direction, normal), cosine = std::max(0.0, projection);
+        const Vec mirrored = ray.direction + 2 * (conventions.shading_normals_lead_inside ? cosine : projection) * normal;
+        if (surface.reflection > 0 || surface.transmission > 0) send(folded(mirrored, geometric), counts.reflected, counts.reflected_hits);
         if (surface.transmission == 0) return;
         const bool enters = glm::dot(geometric_normal(thing, p), ray.direction) < 0;
         const double eta = enters ? 1 / surface.index : surface.index, cosine_squared = 1 - eta * eta * (1 - cosine * cosine);
@@ -396,7 +401,8 @@ struct Reference::Implementation {
             counts.refracted += conventions.total_reflection_refracts;
             return;
         }
-        send(eta * ray.direction + (eta * cosine - std::sqrt(cosine_squared)) * normal, counts.refracted, counts.refracted_hits);
+        const Vec refracted = eta * ray.direction + (eta * cosine - std::sqrt(cosine_squared)) * normal;
+        send(folded(refracted, -geometric), counts.refracted, counts.refracted_hits);
     }
 
     /// Whether the thing's surface at p has a side towards the ray's beginning.

@@ -32,11 +32,12 @@ enum class LitSide {
 /// What the databases' readme leaves open. The defaults are those of the product.
 struct Conventions {
     LitSide lit = LitSide::outside_if_transparent;
-    bool one_sided_cones = false;            ///< cones and cylinders are not there from behind
-    bool cone_normals_of_ratio = false;      ///< a cone's normal leans by 1 - (apex radius)/(base radius) per unit: its height is left out
-    bool total_reflection_refracts = false;  ///< then, too, counts a refracted ray, which hits nothing
-    double start = 0;                        ///< crossings nearer than this along spawned rays do not count
-    bool polygons_shade_from_zero = false;   ///< but with polygons other than patches they do for shadow rays
+    bool one_sided_cones = false;              ///< cones and cylinders are not there from behind
+    bool cone_normals_of_ratio = false;        ///< a cone's normal leans by 1 - (apex radius)/(base radius) per unit: its height is left out
+    bool total_reflection_refracts = false;    ///< then, too, counts a refracted ray, which hits nothing
+    bool shading_normals_lead_inside = false;  ///< rays that interpolated normals mirror or refract to the wrong side go there; else they are folded
+    double start = 0;                          ///< crossings nearer than this along spawned rays do not count
+    bool polygons_shade_from_zero = false;     ///< but with polygons other than patches they do for shadow rays
 };
 
 /// Half-open ranges of columns and rows.
