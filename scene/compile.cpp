@@ -114,6 +114,7 @@ void add_primitives(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     compiled.header.nodes = arena.add(built.nodes, built.node_count);
     compiled.header.shading = arena.add(shading);
     compiled.header.vertex_normals = arena.add(tables.vertex_normals);
+    compiled.shading_normals = !tables.vertex_normals.empty();
 }
 
 template <class Records> std::vector<uint> kinds_of(const Records &records) {

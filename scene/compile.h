@@ -18,6 +18,7 @@ struct CompiledScene {
     std::string accelerator;
     bool reflects = false, transmits = false;  ///< whether any material spawns such rays
     bool highlights = false;                   ///< whether any material has one
+    bool shading_normals = false;              ///< whether any primitive has normals of its own for shading
     uint interior_size = 0;                    ///< entries of a ray's list of media: at least the number of transparent materials up to 8
     std::size_t primitive_count = 0;
     std::vector<std::size_t> counts;  ///< of primitives, by kind in use

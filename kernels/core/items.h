@@ -12,7 +12,7 @@
 #define RAY_TAG(kind, primitive) ((kind) | ((primitive) + 1u) << 2)
 #define RAY_KIND(tag) ((tag)&3u)
 #define RAY_SOURCE(tag) (((tag) >> 2) - 1u)
-#define MAX_PRIMITIVES 0x3ffffffeu  ///< whose numbers fit a tag
+#define MAX_PRIMITIVES 0x0fffffffu  ///< whose numbers fit a tag, and SurfacePoint.flags
 
 /// What tracing needs; 32 bytes. It begins at t = 0 and ends at t_max. The direction has unit length in the world, but no formula assumes so.
 typedef struct {
@@ -44,6 +44,7 @@ typedef struct {
 #define SURFACE_ENTERS 2u      ///< it comes from outside the object
 #define SURFACE_LIT 4u         ///< light from lights can be seen on it
 #define SURFACE_LIT_BEYOND 8u  ///< and falls on the side away from `wo`: a transparent object's outside, seen from inside
+#define SURFACE_PRIMITIVE(flags) ((flags) >> 4)
 
 // A surface point is three records, so that each stage reads whole ones: the compiler reads consecutive whole records by shuffles, but takes
 // gathers, or finishes each chunk one by one, where a record's end is not used.
@@ -53,7 +54,7 @@ typedef struct {
     vec3 origin;  ///< of rays to the lights: the point moved off the surface by its error bound, to the side where light falls
     uint material;
     vec3 normal;  ///< shading normal on that side, unit length
-    uint flags;   ///< SURFACE_...
+    uint flags;   ///< SURFACE_..., and above these the primitive's number
 } SurfacePoint;
 
 /// What else secondary rays need; 28 bytes.

@@ -20,7 +20,7 @@ FUNCTION vec3 folded(vec3 v, vec3 normal) { return plus(v, scaled(normal, maximu
 
 /// Children of live item i: the mirrored ray in slot base + i, and where BRANCHING is 2 the refracted one in slot base + count + i, in the
 /// media `beyond`. A shading normal may lead a ray to the wrong side of the surface; then its mirror image at the surface leaves instead.
-kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const global Path *restrict paths, const global Hit *restrict hits,
+kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const global Path *restrict paths,
                           const global SurfacePoint *restrict points, const global SurfaceInterface *restrict interfaces,
                           const global vec3 *restrict directions, const global uint *restrict interiors, const global uint *restrict beyond,
                           uint base, global Ray *restrict children, global Path *restrict child_paths, global uint *restrict child_interiors,
@@ -37,7 +37,7 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
         const SurfacePoint surface = load(points + i);
         const SurfaceInterface interface = load(interfaces + i);
         const vec3 wo = load(directions + i);
-        const uint primitive = load(hits + i).primitive;
+        const uint primitive = SURFACE_PRIMITIVE(surface.flags);
         const bool lit_beyond = (surface.flags & SURFACE_LIT_BEYOND) != 0u;
         const float side = lit_beyond ? -1.0f : 1.0f;
         const vec3 normal = scaled(surface.normal, side), geometric = scaled(interface.geometric, side);
@@ -79,9 +79,8 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
 
 /// Work-items (chunk, row): the shadow ray from hit i to light first_light + row, at row * stride + i; alive where the light faces the surface.
 /// Where it faces the shading normal only, the ray goes through the surface itself, and meets it.
-kernel void spawn_shadow_rays(SCENE_PARAMS, uint first_light, uint stride, uint count, const global Hit *restrict hits,
-                              const global SurfacePoint *restrict points, const global SurfaceInterface *restrict interfaces,
-                              global Ray *restrict shadow_rays, global uchar *restrict alive) {
+kernel void spawn_shadow_rays(SCENE_PARAMS, uint first_light, uint stride, uint count, const global SurfacePoint *restrict points,
+                              const global SurfaceInterface *restrict interfaces, global Ray *restrict shadow_rays, global uchar *restrict alive) {
     const Scene scene = SCENE;
     const uint row = get_global_id(1);
     const Light light = SCENE_ARRAY(scene, Light, lights)[first_light + row];
@@ -90,10 +89,10 @@ kernel void spawn_shadow_rays(SCENE_PARAMS, uint first_light, uint stride, uint 
     FOR_EACH_ITEM(i, count) {
         const SurfacePoint surface = load(points + i);
         const LightSample sample = light_sample(light, surface.origin);
-        const bool leaves = dot3(load(interfaces + i).geometric, sample.direction) > 0.0f;
         const bool faces = dot3(surface.normal, sample.direction) > 0.0f;
+        const bool leaves = !SHADING_NORMALS || dot3(load(interfaces + i).geometric, sample.direction) > 0.0f;
         const bool lit = (surface.flags & SURFACE_LIT) != 0u;
-        row_rays[i] = ray_to_light(surface.origin, sample.direction, sample.distance, leaves ? load(hits + i).primitive : NO_HIT);
+        row_rays[i] = ray_to_light(surface.origin, sample.direction, sample.distance, leaves ? SURFACE_PRIMITIVE(surface.flags) : NO_HIT);
         row_alive[i] = lit && faces && largest(sample.irradiance) > 0.0f;
     }
 }

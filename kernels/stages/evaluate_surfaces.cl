@@ -35,7 +35,7 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
         point.origin = spawn_origin(surface.p, offset);
         point.material = on_surface ? record->material : 0u;
         point.normal = scaled(surface.normal, lit_side);
-        point.flags = on_surface ? SURFACE_HIT | sides | lit : 0u;
+        point.flags = on_surface ? SURFACE_HIT | sides | lit | hit.primitive << 4 : 0u;
         points[i] = point;
 
         SurfaceInterface interface;

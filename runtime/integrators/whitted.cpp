@@ -142,7 +142,7 @@ private:
 
     void spawn(const Wave &wave) {
         Level &below = *wave.children;
-        secondary_->spawn(wave.count, scene_, params_, wave, wave.level.paths, hits_, points_, interfaces_, directions_, wave.level.interiors,
+        secondary_->spawn(wave.count, scene_, params_, wave, wave.level.paths, points_, interfaces_, directions_, wave.level.interiors,
                           media_ ? media_->beyond : no_words_, wave.base, below.rays, below.paths, below.interiors, secondary_->alive);
         const uint slots = wave.count * branching_;
         secondary_->compact(secondary_->alive, slots, slots, 1, wave.base, below.end, below.live);
@@ -160,7 +160,7 @@ private:
     void trace_shadows(const Wave &wave, uint light, uint rows) {
         Shadows &shadows = *shadows_;
         const uint count = wave.count;
-        shadows.spawn(Grid(count, rows), scene_, light, shadows.stride, count, hits_, points_, interfaces_, shadows.rays, shadows.visible);
+        shadows.spawn(Grid(count, rows), scene_, light, shadows.stride, count, points_, interfaces_, shadows.rays, shadows.visible);
         shadows.compact(shadows.visible, shadows.stride, count, rows, 0, 0, shadows.live);
         // Shadow rays from the first reflections are scattered already: one by one they took 39 ms against 50 in rings_s7.
         Kernel &trace = wave.generation == 0 ? shadows.trace_packets : shadows.trace_singly;

@@ -50,8 +50,9 @@ Sources specialize(const CompiledScene &scene) {
     sources["generated/accelerator.cl"] = include("accelerators/" + scene.accelerator + ".cl");
     sources["generated/sampler.cl"] = include("samplers/stratified.cl");
     sources["generated/interior.cl"] = include(scene.transmits ? "core/interior.cl" : "core/no_interior.cl");
-    sources["generated/constants.h"] = fmt::format("#pragma once\n#define BRANCHING {}u\n#define INTERIOR_SIZE {}u\n#define HIGHLIGHTS {}\n",
-                                                   branching(scene), scene.interior_size, scene.highlights ? 1 : 0);
+    sources["generated/constants.h"] =
+        fmt::format("#pragma once\n#define BRANCHING {}u\n#define INTERIOR_SIZE {}u\n#define HIGHLIGHTS {}\n#define SHADING_NORMALS {}\n",
+                    branching(scene), scene.interior_size, scene.highlights ? 1 : 0, scene.shading_normals ? 1 : 0);
     return sources;
 }
 

@@ -3,3 +3,4 @@
 #define BRANCHING 2u
 #define INTERIOR_SIZE 4u
 #define HIGHLIGHTS 1
+#define SHADING_NORMALS 1
