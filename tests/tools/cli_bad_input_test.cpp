@@ -451,6 +451,23 @@ TEST(BadDevice, UnknownOneIsAnsweredWithThoseThatThereAre) {
     expect_render_fails(folder, folder.write("scene.json", native_scene()), {"--device", "abacus"}, 1, {"abacus", "pthread"});
 }
 
+TEST(BadDevice, AFaultyDriverDoesNotKeepTheOtherDevicesFromBeingUsed) {
+    const TemporaryFolder folder, drivers;
+    for (const auto &driver : std::filesystem::directory_iterator("/etc/OpenCL/vendors"))
+        drivers.write(driver.path().filename().string(), read_file(driver.path().string()));
+    drivers.write("faulty.icd", FAULTY_DRIVER "\n");
+    RunOptions options;
+    options.environment["OCL_ICD_VENDORS"] = drivers.path("");
+    const Finished listed = run_program({"devices"}, options);
+    EXPECT_EQ(listed.status, 0) << listed.err;
+    EXPECT_NE(listed.out.find("  broken accelerator |"), std::string::npos) << listed.out;
+    EXPECT_NE(listed.out.find("cannot be used: it cannot be described: clGetDeviceInfo failed with CL_OUT_OF_RESOURCES"), std::string::npos)
+        << listed.out;
+    const std::string scene = folder.write("scene.json", native_scene());
+    EXPECT_EQ(run_program({"info", scene}, options).status, 0);
+    expect_render_fails(folder, scene, {"--device", "broken"}, 1, {"'broken accelerator' cannot be described"}, options);
+}
+
 TEST(BadDevice, KernelFolderThatIsNotThere) {
     const TemporaryFolder folder;
     RunOptions options;
