@@ -36,7 +36,7 @@ void write_or_remove(const std::string &temporary, const WriteFile &write) {
     }
 }
 
-/// Opening it alone would not tell: a name may be too long only without the temporary one's ending.
+/// What the temporary name does not tell: it may be shorter than the file's own, and is no folder.
 void check_name(const std::string &file) {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
