@@ -73,10 +73,20 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
 
 std::size_t Renderer::wave_bytes() const { return integrator_->wave_bytes() + pixels_.bytes() + samples_.bytes(); }
 
-bool Renderer::render(Film &film) {
+RenderEnd Renderer::render(Film &film) {
+    RenderProgress progress{0, std::uint64_t{film.width()} * film.height() * film_settings_.spp, 0};
+    try {
+        return {render_batches(film, progress), ""};
+    } catch (const Error &error) {
+        if (progress.samples_done == 0) throw;
+        return {false, error.what()};
+    }
+}
+
+/// False if stopped before the end.
+bool Renderer::render_batches(Film &film, RenderProgress &progress) {
     const auto start = std::chrono::steady_clock::now();
     const uint spp = film_settings_.spp, rows = rows_of_grid(spp);
-    RenderProgress progress{0, std::uint64_t{film.width()} * film.height() * spp, 0};
     for (uint first = 0; first < spp; first += samples_per_batch_) {
         PixelOrder order(film.width(), film.height());
         for (auto pixels = order.next(pixels_.size()); !pixels.empty(); pixels = order.next(pixels_.size())) {

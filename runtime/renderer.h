@@ -18,19 +18,28 @@ struct RenderOptions {
     std::function<bool(const RenderProgress &)> on_progress;
 };
 
+/// How a render ended; the film has the samples of whole batches.
+struct RenderEnd {
+    bool complete = false;  ///< all samples are in the film
+    std::string failure;    ///< what the device could not do, if that ended it
+};
+
 class Renderer {
 public:
-    /// Builds kernels and allocates everything but the film. Throws SceneError for settings that contradict each other.
+    /// Builds kernels and allocates everything but the film and the levels of rays, which are allocated when first needed. Throws SceneError for
+    /// settings that contradict each other, BuildError, and Error where the device cannot hold that much.
     Renderer(Device &device, const Scene &scene, const CompiledScene &compiled, const DeviceScene &on_device, const CameraDescription &camera,
              RenderOptions options);
-    /// Renders all samples into the film; false if stopped before the end.
-    bool render(Film &film);
+    /// Renders all samples into the film. Throws Error if the first batch fails; if a later one does, what there is so far is kept.
+    RenderEnd render(Film &film);
 
     const Integrator &integrator() const { return *integrator_; }
     /// Bytes of all buffers beside scene and film, at most.
     std::size_t wave_bytes() const;
 
 private:
+    bool render_batches(Film &film, RenderProgress &progress);
+
     Device &device_;
     const FilmSettings film_settings_;
     RenderOptions options_;

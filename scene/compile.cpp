@@ -125,11 +125,35 @@ template <class Records> std::vector<uint> kinds_of(const Records &records) {
     return kinds;
 }
 
-void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
+/// By material: whether something of the scene has it.
+std::vector<bool> materials_in_use(const Scene &scene) {
     std::vector<bool> used(scene.materials.size());
     for (const auto &shape : scene.shapes) used.at(shape->material) = true;
+    return used;
+}
+
+bool has_eye_in(const Scene &scene, const std::string &material) {
+    return std::any_of(scene.cameras.begin(), scene.cameras.end(), [&](const CameraDescription &camera) {
+        return std::find(camera.inside.begin(), camera.inside.end(), material) != camera.inside.end();
+    });
+}
+
+void count_media(const Scene &scene, const std::vector<bool> &used, CompiledScene &compiled) {
+    if (!compiled.transmits) return;
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        const auto &[name, material] = scene.materials[m];
+        compiled.media += (material.flags & MATERIAL_TRANSMITS) != 0 && (used[m] || has_eye_in(scene, name));
+    }
+    while (compiled.interior_size < std::min(compiled.media, max_interior_size)) compiled.interior_size = std::max(1u, 2 * compiled.interior_size);
+    if (compiled.media > max_interior_size)
+        compiled
+            .warnings[fmt::format("transparent material beyond {0}: of more than {0} media around one point, some are left out", max_interior_size)] =
+            compiled.media - max_interior_size;
+}
+
+void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
+    const std::vector<bool> used = materials_in_use(scene);
     std::vector<Material> materials, used_materials;
-    uint transparent = 0;
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         const Material &material = materials.emplace_back(scene.materials[m].record);
         if (!used[m]) continue;
@@ -137,9 +161,8 @@ void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
         compiled.reflects |= (material.flags & MATERIAL_REFLECTS) != 0;
         compiled.transmits |= (material.flags & MATERIAL_TRANSMITS) != 0;
         compiled.highlights |= (material.flags & MATERIAL_HIGHLIGHT) != 0;
-        transparent += (material.flags & MATERIAL_TRANSMITS) != 0;
     }
-    while (compiled.interior_size < std::min(transparent, 8u)) compiled.interior_size = std::max(1u, 2 * compiled.interior_size);
+    count_media(scene, used, compiled);
     compiled.bsdfs = kinds_of(used_materials);
     compiled.lights = kinds_of(scene.lights);
     compiled.header.materials = arena.add(materials);
@@ -150,27 +173,13 @@ void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
 
 CompiledScene compile(const Scene &scene) {
     CompiledScene compiled;
+    compiled.warnings = scene.warnings;
     Arena arena(compiled.arena);
     add_primitives(scene, compiled, arena);
     add_materials(scene, compiled, arena);
     compiled.header.background = scene.background;
     compiled.header.ambient = scene.ambient;
     return compiled;
-}
-
-/// FNV-1a.
-std::uint64_t scene_hash(const Scene &scene, const CompiledScene &compiled) {
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    const auto add = [&](std::span<const std::byte> bytes) {
-        for (const std::byte byte : bytes) hash = (hash ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001b3u;
-    };
-    add(std::as_bytes(std::span(&compiled.header, 1)));
-    add(compiled.arena);
-    for (const CameraDescription &camera : scene.cameras) {
-        for (const vec3 &v : {camera.from, camera.at, camera.up}) add(std::as_bytes(std::span(&v, 1)));
-        add(std::as_bytes(std::span(&camera.fov, 1)));
-    }
-    return hash;
 }
 
 }  // namespace brandung

@@ -1,6 +1,7 @@
 /// From a Scene to the arena that kernels read.
 #pragma once
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,9 @@
 #include "scene/scene.h"
 
 namespace brandung {
+
+/// So many media a ray can be in at once; what it enters beyond them is left out.
+inline constexpr uint max_interior_size = 8;
 
 /// The scene's records, laid out, and which kinds of things they are.
 struct CompiledScene {
@@ -19,14 +23,13 @@ struct CompiledScene {
     bool reflects = false, transmits = false;  ///< whether any material spawns such rays
     bool highlights = false;                   ///< whether any material has one
     bool shading_normals = false;              ///< whether any primitive has normals of its own for shading
-    uint interior_size = 0;                    ///< entries of a ray's list of media: at least the number of transparent materials up to 8
+    uint interior_size = 0;                    ///< entries of a ray's list of media: at least the number of `media` up to max_interior_size
+    uint media = 0;                            ///< transparent materials of things, and those that an eye is in, if there are things to refract
     std::size_t primitive_count = 0;
     std::vector<std::size_t> counts;  ///< of primitives, by kind in use
     double accelerator_seconds = 0;
+    std::map<std::string, uint> warnings;  ///< the scene's and those found here: text -> how often
 };
-
-/// A hash of what is seen: all that the kernels read of the scene, and its cameras.
-std::uint64_t scene_hash(const Scene &scene, const CompiledScene &compiled);
 
 /// Throws SceneError if the scene is too big, or names an unknown accelerator.
 CompiledScene compile(const Scene &scene);

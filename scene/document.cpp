@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <vector>
 
 #include "scene/error.h"
+#include "scene/input.h"
 
 namespace brandung {
 namespace {
@@ -161,21 +160,7 @@ json *step_into(json &value, const std::string &step) {
 
 }  // namespace
 
-void check_readable(const std::string &file) {
-    std::error_code unknown;
-    const std::filesystem::file_status status = std::filesystem::status(file, unknown);
-    if (!std::filesystem::exists(status)) throw SceneError(file + ": no such file");
-    if (std::filesystem::is_directory(status)) throw SceneError(file + ": is a folder, not a file");
-    if (!std::ifstream(file)) throw SceneError(file + ": cannot be opened for reading");
-    // A pipe has no size to ask for.
-    if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(file, unknown) == 0) throw SceneError(file + ": is empty");
-}
-
-Document read_document(const std::string &file) {
-    check_readable(file);
-    std::ifstream stream(file, std::ios::binary);
-    return parse_document(file, {std::istreambuf_iterator<char>(stream), {}});
-}
+Document read_document(const std::string &file) { return parse_document(file, file_text(file)); }
 
 Document parse_document(std::string file, std::string text) {
     Document document{std::move(file), std::move(text), {}, {}};

@@ -17,9 +17,6 @@ struct Document {
 Document read_document(const std::string &file);
 Document parse_document(std::string file, std::string text);
 
-/// Throws SceneError if the file does not exist, is a folder, is empty or cannot be opened.
-void check_readable(const std::string &file);
-
 /// Sets the value at a dotted path ("integrator.threshold=0.1", "lights.0.intensity=[1,1,1]"); what is not JSON is taken as a string, and objects on
 /// the way are made. Throws SceneError if the path leads through something that is neither object nor array, or beyond an array's end.
 void set_value(Document &document, const std::string &assignment);

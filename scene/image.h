@@ -15,10 +15,13 @@ struct Picture {
     std::map<std::string, std::string> metadata;
 };
 
-/// Throws SceneError if OpenImageIO knows no format of the file's extension, or the file could not be written there.
-void check_picture_writable(const std::string &file);
-/// Formats of floats (EXR, HDR, TIFF, PFM) get radiance as it is, others 8 bits through `exposure` [EV] and the sRGB curve.
-/// The file appears under its name only when it is complete. Throws SceneError.
+/// Throws SceneError if OpenImageIO knows no format of the file's extension, if the format cannot take a picture of that size, or if no file could
+/// be written there.
+void check_picture_writable(const std::string &file, uint width, uint height);
+/// Whether the file's format stores metadata of any name.
+bool stores_metadata(const std::string &file);
+/// Formats of floats (EXR, HDR, TIFF) get radiance as it is, others (PNG, JPEG, PPM, ...) 8 bits through `exposure` [EV, -100 to 100] and the sRGB
+/// curve. The file appears under its name only when it is complete. Throws SceneError.
 void write_picture(const std::string &file, const Picture &picture, float exposure);
 
 }  // namespace brandung

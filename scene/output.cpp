@@ -10,31 +10,25 @@
 #include "scene/error.h"
 
 namespace brandung {
+namespace {
 
 namespace fs = std::filesystem;
 
-namespace {
+/// File systems take 255 bytes; a name's beginning leaves room for what a temporary one has more.
+constexpr std::size_t kept_of_name = 200;
 
-std::string temporary_name(const std::string &file) { return file + "." + std::to_string(getpid()) + ".part" + fs::path(file).extension().string(); }
-
-}  // namespace
-
-void check_writable(const std::string &file) {
-    const fs::path folder = fs::absolute(file).parent_path();
-    if (!fs::is_directory(folder)) throw SceneError(file + ": cannot write there: '" + folder.string() + "' is not a folder");
-    if (fs::is_directory(file)) throw SceneError(file + ": cannot write there: it is a folder");
-    const std::string probe = temporary_name(file);
-    const bool opens = std::ofstream(probe).is_open();
-    const std::string why = std::strerror(errno);
-    if (!opens) throw SceneError(file + ": cannot write there: " + why);
-    fs::remove(probe);
+std::string temporary_name(const std::string &file) {
+    const fs::path path(file);
+    const std::string name = path.filename().string().substr(0, kept_of_name) + "." + std::to_string(getpid()) + ".part";
+    return (path.parent_path() / (name + path.extension().string())).string();
 }
 
-void write_complete(const std::string &file, const std::function<void(const std::string &temporary)> &write) {
-    const std::string temporary = temporary_name(file);
+SceneError cannot_write(const std::string &file, const std::string &why) { return SceneError(file + ": cannot write there: " + why); }
+
+/// Calls `write`; removes what it wrote if it throws.
+void write_or_remove(const std::string &temporary, const WriteFile &write) {
     try {
         write(temporary);
-        fs::rename(temporary, file);
     } catch (...) {
         std::error_code ignored;
         fs::remove(temporary, ignored);
@@ -42,11 +36,47 @@ void write_complete(const std::string &file, const std::function<void(const std:
     }
 }
 
+/// What the temporary name does not tell: it may be shorter than the file's own, and is no folder.
+void check_name(const std::string &file) {
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    if (fs::is_directory(status)) throw cannot_write(file, "it is a folder");
+    if (status.type() != fs::file_type::not_found && error) throw cannot_write(file, error.message());
+    const fs::path folder = fs::path(file).parent_path();
+    if (!folder.empty() && !fs::is_directory(folder, error)) throw cannot_write(file, "'" + folder.string() + "' is not a folder");
+}
+
+}  // namespace
+
+void try_writing(const std::string &file, const WriteFile &write) {
+    check_name(file);
+    const std::string temporary = temporary_name(file);
+    write_or_remove(temporary, write);
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+}
+
+void check_writable(const std::string &file) {
+    try_writing(file, [&](const std::string &temporary) {
+        if (!std::ofstream(temporary)) throw cannot_write(file, std::strerror(errno));
+    });
+}
+
+void write_complete(const std::string &file, const WriteFile &write) {
+    const std::string temporary = temporary_name(file);
+    write_or_remove(temporary, [&](const std::string &name) {
+        write(name);
+        std::error_code error;
+        fs::rename(name, file, error);
+        if (error) throw cannot_write(file, error.message());
+    });
+}
+
 void write_text(const std::string &file, const std::string &text) {
     write_complete(file, [&](const std::string &temporary) {
         std::ofstream out(temporary);
         out << text;
-        if (!out.flush()) throw SceneError(file + ": cannot write there: the disk may be full");
+        if (!out.flush()) throw cannot_write(file, "the disk may be full");
     });
 }
 

@@ -5,10 +5,16 @@
 
 namespace brandung {
 
+/// Writes to the file of that name.
+using WriteFile = std::function<void(const std::string &name)>;
+
+/// Calls `write` with a temporary name beside the file's own and with its extension, and removes what it wrote. Throws SceneError if no file could
+/// be written there, and what `write` throws.
+void try_writing(const std::string &file, const WriteFile &write);
 /// Throws SceneError if no file could be written there.
 void check_writable(const std::string &file);
-/// Calls `write` with a temporary name beside the file's own and with its extension, then renames. After an exception nothing is left.
-void write_complete(const std::string &file, const std::function<void(const std::string &temporary)> &write);
+/// Calls `write` with such a temporary name, then renames. After an exception nothing is left. Throws SceneError, and what `write` throws.
+void write_complete(const std::string &file, const WriteFile &write);
 /// Throws SceneError.
 void write_text(const std::string &file, const std::string &text);
 

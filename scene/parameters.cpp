@@ -242,4 +242,8 @@ void Parameters::fail(const std::string &name, const std::string &why) const {
     fail_at(*document_, present ? pointer_ + "/" + pointer_step(name) : pointer_, why);
 }
 
+void Parameters::fail_element(const std::string &name, std::size_t index, const std::string &why) const {
+    fail_at(*document_, pointer_ + "/" + pointer_step(name) + "/" + std::to_string(index), why);
+}
+
 }  // namespace brandung

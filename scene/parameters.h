@@ -47,6 +47,8 @@ public:
     void expect_all_known() const;
     /// `file:line: pointer: why`, of the named value or of the object itself if the name is empty or absent.
     [[noreturn]] void fail(const std::string &name, const std::string &why) const;
+    /// The same of an element of the named array, which must have it.
+    [[noreturn]] void fail_element(const std::string &name, std::size_t index, const std::string &why) const;
 
 private:
     const nlohmann::json *find(const std::string &name) const;

@@ -2,21 +2,33 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
+#include <sstream>
 
 #include "brandung_version.h"
-#include "runtime/opencl/error.h"
-#include "scene/error.h"
 #include "tools/commands.h"
+#include "tools/standard_output.h"
 
-int main(int argc, char **argv) {
+namespace {
+
+using namespace brandung;
+
+/// Help and version, which CLI11 handles as exceptions.
+int print_help(const CLI::App &app, const CLI::Success &help) {
+    std::ostringstream text;
+    const int status = app.exit(help, text);
+    print_result(text.str());
+    return status;
+}
+
+int run(int argc, char **argv) {
     CLI::App app{"brandung: an OpenCL wavefront ray tracer"};
     app.set_version_flag("--version", "brandung " BRANDUNG_VERSION " (" BRANDUNG_GIT ")");
     app.require_subcommand(1);
     app.fallthrough(false);
     int status = 0;
-    brandung::add_render(app, status);
-    brandung::add_info(app, status);
-    brandung::add_devices(app, status);
+    add_render(app, status);
+    add_info(app, status);
+    add_devices(app, status);
     const auto is_asked_for = [&](const CLI::App *command) { return command->check_name(argv[1]); };
     const auto commands = app.get_subcommands([](const CLI::App *) { return true; });
     if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_asked_for)) {
@@ -26,15 +38,19 @@ int main(int argc, char **argv) {
     try {
         app.parse(argc, argv);
         return status;
-    } catch (const CLI::CallForHelp &help) {
-        return app.exit(help);
-    } catch (const CLI::CallForAllHelp &help) {
-        return app.exit(help);
-    } catch (const CLI::CallForVersion &version) {
-        return app.exit(version);
+    } catch (const CLI::Success &help) {
+        return print_help(app, help);
     } catch (const CLI::ParseError &error) {
         std::cerr << "brandung: " << error.what() << " (see --help)\n";
         return 2;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+    try {
+        return run(argc, argv);
     } catch (const std::exception &error) {
         std::cerr << "brandung: " << error.what() << "\n";
         return 1;

@@ -5,12 +5,14 @@
 
 #include "runtime/opencl/device.h"
 #include "tools/commands.h"
+#include "tools/standard_output.h"
 
 namespace brandung {
 namespace {
 
 void list_devices(bool as_json) {
     nlohmann::json list = nlohmann::json::array();
+    std::string text;
     const auto devices = Device::list();
     for (const auto &[info, chosen] : devices) {
         list.push_back({{"platform", info.platform},
@@ -20,11 +22,10 @@ void list_devices(bool as_json) {
                         {"memory_bytes", info.memory},
                         {"unsuitable", info.unsuitable},
                         {"chosen", chosen}});
-        if (!as_json)
-            fmt::print("{} {} | {} | {} compute units, {} MiB{}\n", chosen ? "*" : " ", info.name, info.platform, info.compute_units,
-                       info.memory >> 20, info.unsuitable.empty() ? "" : " | cannot be used: it " + info.unsuitable);
+        text += fmt::format("{} {} | {} | {} compute units, {} MiB{}\n", chosen ? "*" : " ", info.name, info.platform, info.compute_units,
+                            info.memory >> 20, info.unsuitable.empty() ? "" : " | cannot be used: it " + info.unsuitable);
     }
-    if (as_json) fmt::print("{}\n", list.dump(2));
+    print_result(as_json ? list.dump(2) + "\n" : text);
     if (devices.empty()) throw Error("no OpenCL device found: install one, for a CPU Debian's package pocl-opencl-icd");
 }
 

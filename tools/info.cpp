@@ -1,49 +1,45 @@
 /// brandung info: what a scene contains, and what rendering it will take.
 #include <fmt/core.h>
 
-#include "runtime/renderer.h"
-#include "scene/formats/format.h"
 #include "tools/commands.h"
 #include "tools/report.h"
+#include "tools/standard_output.h"
 
 namespace brandung {
 namespace {
 
-struct Options {
-    std::string scene, device;
+struct Options : SceneOptions {
     bool as_json = false;
 };
 
 nlohmann::json describe(const Options &options) {
-    const Scene scene = read_scene(options.scene);
-    const CompiledScene compiled = compile(scene);
-    Device device = Device::select(options.device);
-    const DeviceScene on_device(device, compiled);
-    const Film film(device, scene.film.width, scene.film.height);
-    const Renderer renderer(device, scene, compiled, on_device, scene.cameras.at(0), {});
+    const Scene scene = read_scene(options);
+    const Job job(scene, options, nullptr, nullptr);
     return {{"file", scene.file},
-            {"scene", scene_contents(scene, compiled)},
-            {"device", device.info().name},
+            {"scene", scene_contents(scene, job.compiled)},
+            {"device", job.device.info().name},
+            {"camera", job.camera.name},
             {"film", {{"width", scene.film.width}, {"height", scene.film.height}, {"spp", scene.film.spp}}},
             {"integrator", scene.integrator.type},
-            {"accelerator", compiled.accelerator},
-            {"memory", {{"scene_bytes", on_device.bytes()}, {"film_bytes", film.bytes()}, {"wave_bytes", renderer.wave_bytes()}}},
-            {"features", explain(scene, compiled, renderer.integrator())},
-            {"warnings", scene.warnings}};
+            {"accelerator", job.compiled.accelerator},
+            {"memory", memory(job)},
+            {"kernels", job.device.kernels()},
+            {"features", features(job)},
+            {"warnings", job.compiled.warnings}};
 }
 
-/// One line per value; what is nested is indented.
-void print(const nlohmann::json &value, const std::string &indent) {
+/// One line per value; what is nested is indented. Features have a form of their own.
+std::string as_text(const nlohmann::json &value, const std::string &indent) {
+    std::string text;
     for (const auto &[name, item] : value.items()) {
         if (name == "features") continue;
         if (item.is_object() && item.empty()) continue;
-        if (item.is_object()) {
-            fmt::print("{}{}\n", indent, name);
-            print(item, indent + "  ");
-        } else {
-            fmt::print("{}{}: {}\n", indent, name, item.is_string() ? item.get<std::string>() : item.dump());
-        }
+        if (item.is_object())
+            text += fmt::format("{}{}\n{}", indent, name, as_text(item, indent + "  "));
+        else
+            text += fmt::format("{}{}: {}\n", indent, name, item.is_string() ? item.get<std::string>() : item.dump());
     }
+    return text;
 }
 
 }  // namespace
@@ -51,17 +47,11 @@ void print(const nlohmann::json &value, const std::string &indent) {
 void add_info(CLI::App &app, int &) {
     CLI::App *command = app.add_subcommand("info", "say what a scene contains and what rendering it will take; renders nothing");
     auto options = std::make_shared<Options>();
-    command->add_option("scene", options->scene, "scene file")->required();
-    command->add_option("--device", options->device, "OpenCL device whose name contains this");
+    add_scene_options(*command, *options);
     command->add_flag("--json", options->as_json, "print JSON");
     command->callback([options] {
         const nlohmann::json description = describe(*options);
-        if (options->as_json) {
-            fmt::print("{}\n", description.dump(2));
-        } else {
-            print(description, "");
-            fmt::print("{}", description["features"].get<std::string>());
-        }
+        print_result(options->as_json ? description.dump(2) + "\n" : as_text(description, "") + explain(description["features"]));
     });
 }
 

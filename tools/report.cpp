@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "scene/bsdfs/bsdf.h"
 #include "scene/lights/light.h"
 
@@ -34,9 +36,12 @@ std::vector<Skipped> kinds_not_in_use(const CompiledScene &compiled) {
     return skipped;
 }
 
-std::vector<Skipped> all_skipped(const CompiledScene &compiled, const Integrator &integrator) {
-    std::vector<Skipped> skipped = kinds_not_in_use(compiled);
-    for (const Skipped &other : integrator.skipped()) skipped.push_back(other);
+std::vector<Skipped> all_skipped(const Job &job) {
+    std::vector<Skipped> skipped = kinds_not_in_use(job.compiled);
+    for (const Skipped &other : job.renderer.integrator().skipped()) skipped.push_back(other);
+    if (job.compiled.media > max_interior_size)
+        skipped.push_back({fmt::format("more than {} media around one point", max_interior_size),
+                           fmt::format("a ray's list is not longer; the scene has {} transparent materials", job.compiled.media)});
     return skipped;
 }
 
@@ -58,6 +63,14 @@ json kernel_statistics(const Profile &profile) {
     return kernels;
 }
 
+json phases(const PhaseSeconds &seconds) {
+    json phases = {{"read", seconds.read},     {"scene", seconds.scene},     {"accelerator", seconds.accelerator},
+                   {"device", seconds.device}, {"kernels", seconds.kernels}, {"render", seconds.render}};
+    if (seconds.write) phases["write"] = *seconds.write;
+    if (seconds.total) phases["total"] = *seconds.total;
+    return phases;
+}
+
 }  // namespace
 
 json scene_contents(const Scene &scene, const CompiledScene &compiled) {
@@ -74,42 +87,43 @@ json scene_contents(const Scene &scene, const CompiledScene &compiled) {
     return contents;
 }
 
-json statistics(const RenderReport &report) {
-    const FilmSettings &film = report.scene.film;
-    const PhaseSeconds &s = report.seconds;
-    json features = {{"used", features_in_use(report.scene, report.compiled)}, {"skipped", json::array()}};
-    for (const Skipped &skipped : all_skipped(report.compiled, report.integrator))
-        features["skipped"].push_back({{"name", skipped.name}, {"why", skipped.why}});
-    return {{"scene", scene_contents(report.scene, report.compiled)},
-            {"device", report.device.info().name},
-            {"integrator", report.scene.integrator.type},
-            {"accelerator", report.compiled.accelerator},
+json features(const Job &job) {
+    json skipped = json::array();
+    for (const Skipped &one : all_skipped(job)) skipped.push_back({{"name", one.name}, {"why", one.why}});
+    return {{"used", features_in_use(job.scene, job.compiled)}, {"skipped", skipped}};
+}
+
+std::string explain(const json &features) {
+    std::string text;
+    for (const json &used : features["used"]) text += fmt::format("uses    {}\n", used.get<std::string>());
+    for (const json &skipped : features["skipped"])
+        text += fmt::format("skips   {}: {}\n", skipped["name"].get<std::string>(), skipped["why"].get<std::string>());
+    return text;
+}
+
+json memory(const Job &job) {
+    return {{"scene_bytes", job.on_device.bytes()}, {"wave_bytes", job.renderer.wave_bytes()}, {"film_bytes", job.film.bytes()}};
+}
+
+json statistics(const Job &job, const PhaseSeconds &seconds) {
+    const FilmSettings &film = job.scene.film;
+    const Integrator &integrator = job.renderer.integrator();
+    return {{"scene", scene_contents(job.scene, job.compiled)},
+            {"device", job.device.info().name},
+            {"integrator", job.scene.integrator.type},
+            {"accelerator", job.compiled.accelerator},
             {"width", film.width},
             {"height", film.height},
             {"spp", film.spp},
             {"seed", film.seed},
-            {"seconds",
-             {{"read", s.read},
-              {"scene", s.scene},
-              {"accelerator", s.accelerator},
-              {"kernels", s.kernels},
-              {"render", s.render},
-              {"write", s.write},
-              {"total", s.total}}},
-            {"rays", ray_statistics(report.integrator.counts())},
-            {"refused", report.integrator.refused()},
-            {"clamped", report.clamped},
-            {"kernels", kernel_statistics(report.device.profile())},
-            {"memory", {{"scene_bytes", report.scene_bytes}, {"wave_bytes", report.wave_bytes}, {"film_bytes", report.film_bytes}}},
-            {"features", features},
-            {"warnings", report.scene.warnings}};
-}
-
-std::string explain(const Scene &scene, const CompiledScene &compiled, const Integrator &integrator) {
-    std::string text;
-    for (const std::string &used : features_in_use(scene, compiled)) text += "uses    " + used + "\n";
-    for (const Skipped &skipped : all_skipped(compiled, integrator)) text += "skips   " + skipped.name + ": " + skipped.why + "\n";
-    return text;
+            {"seconds", phases(seconds)},
+            {"rays", ray_statistics(integrator.counts())},
+            {"refused", integrator.refused()},
+            {"clamped", job.film.clamped()},
+            {"kernels", kernel_statistics(job.device.profile())},
+            {"memory", memory(job)},
+            {"features", features(job)},
+            {"warnings", job.compiled.warnings}};
 }
 
 }  // namespace brandung

@@ -1,31 +1,20 @@
-/// What a render did, as JSON and as text.
+/// What a render takes and did, as JSON and as text.
 #pragma once
 #include <nlohmann/json.hpp>
 
-#include "runtime/renderer.h"
+#include "tools/job.h"
 
 namespace brandung {
 
-/// Wall-clock time of the phases of a render [s].
-struct PhaseSeconds {
-    double read = 0, scene = 0, accelerator = 0, kernels = 0, render = 0, write = 0, total = 0;
-};
-
-struct RenderReport {
-    const Scene &scene;
-    const CompiledScene &compiled;
-    const Device &device;
-    const Integrator &integrator;
-    PhaseSeconds seconds;
-    std::size_t scene_bytes = 0, wave_bytes = 0, film_bytes = 0;
-    uint clamped = 0;
-};
-
-/// The fields of --stats: names are a promise.
-nlohmann::json statistics(const RenderReport &report);
-/// What the scene needs, what was skipped and why, one thing a line.
-std::string explain(const Scene &scene, const CompiledScene &compiled, const Integrator &integrator);
-/// {"spheres": 12, ...}: what is in the scene.
+/// {"primitives": 12, "triangles": 8, "lights": 1, "materials": 2, "cameras": 1, "kinds": {"sphere": 4, "triangle": 8}}: what is in the scene.
 nlohmann::json scene_contents(const Scene &scene, const CompiledScene &compiled);
+/// {"used": [text, ...], "skipped": [{"name": text, "why": text}, ...]}: what the scene needs, what was skipped and why.
+nlohmann::json features(const Job &job);
+/// The same, one thing a line.
+std::string explain(const nlohmann::json &features);
+/// {"scene_bytes": ..., "wave_bytes": ..., "film_bytes": ...}
+nlohmann::json memory(const Job &job);
+/// The fields of --stats: names are a promise. Of the times those that `seconds` knows.
+nlohmann::json statistics(const Job &job, const PhaseSeconds &seconds);
 
 }  // namespace brandung

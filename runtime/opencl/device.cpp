@@ -18,27 +18,40 @@ std::string why_unsuitable(const cl::Device &device) {
     if (!device.getInfo<CL_DEVICE_AVAILABLE>()) return "is not available";
     if (!device.getInfo<CL_DEVICE_COMPILER_AVAILABLE>()) return "has no compiler";
     if (extensions.find("cl_khr_int64_base_atomics") == std::string::npos) return "lacks cl_khr_int64_base_atomics";
-    if (!(device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT)) return "does not round divisions correctly";
+    const cl_device_fp_config floats = device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
+    if (!(floats & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT)) return "does not round divisions correctly";
+    if (!(floats & CL_FP_DENORM)) return "has no subnormal numbers";
+    if (!(floats & CL_FP_FMA)) return "has no fused multiply-add";
     return "";
 }
 
-DeviceInfo describe(const cl::Device &device) {
-    DeviceInfo info;
-    info.platform = cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>()).getInfo<CL_PLATFORM_NAME>();
+void describe(const cl::Device &device, DeviceInfo &info) {
     info.name = device.getInfo<CL_DEVICE_NAME>();
+    info.platform = cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>()).getInfo<CL_PLATFORM_NAME>();
     info.version = device.getInfo<CL_DEVICE_VERSION>();
     info.unsuitable = why_unsuitable(device);
     info.cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
     info.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
     info.memory = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
     info.largest_allocation = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
-    return info;
 }
 
 struct Candidate {
     DeviceInfo info;
     cl::Device device;
 };
+
+/// A driver that fails at its own device's description must not keep the other devices from being used.
+Candidate candidate(const cl::Device &device) {
+    Candidate result{{}, device};
+    try {
+        describe(device, result.info);
+    } catch (const cl::Error &error) {
+        if (result.info.name.empty()) result.info.name = "device without a name";
+        result.info.unsuitable = std::string("cannot be described: ") + error.what() + " failed with " + status_name(error.err());
+    }
+    return result;
+}
 
 /// CPUs first, otherwise in the platforms' order.
 std::vector<Candidate> candidates() {
@@ -56,7 +69,7 @@ std::vector<Candidate> candidates() {
         } catch (const cl::Error &) {
             continue;  // a platform without devices
         }
-        for (const cl::Device &device : devices) found.push_back({describe(device), device});
+        for (const cl::Device &device : devices) found.push_back(candidate(device));
     }
     std::stable_sort(found.begin(), found.end(), [](const Candidate &a, const Candidate &b) { return a.info.cpu > b.info.cpu; });
     return found;
@@ -94,7 +107,7 @@ Device Device::select(const std::string &name, uint threads) {
     return attempt("device '" + chosen->info.name + "'", [&] {
         auto implementation = std::make_unique<Implementation>();
         implementation->device = limited(chosen->device, chosen->info.cpu ? threads : 0);
-        implementation->info = describe(implementation->device);
+        describe(implementation->device, implementation->info);
         implementation->context = cl::Context(implementation->device);
         implementation->queue = cl::CommandQueue(implementation->context, implementation->device, CL_QUEUE_PROFILING_ENABLE);
         return Device(std::move(implementation));
@@ -119,6 +132,7 @@ Device::~Device() = default;
 const DeviceInfo &Device::info() const { return implementation_->info; }
 uint Device::items_per_work_item() const { return implementation_->info.cpu ? 64 : 1; }
 const Profile &Device::profile() const { return implementation_->profile; }
+const std::set<std::string> &Device::kernels() const { return implementation_->kernels; }
 double Device::build_seconds() const { return implementation_->build_seconds; }
 void Device::on_build(std::function<void(const std::string &)> callback) { implementation_->on_build = std::move(callback); }
 

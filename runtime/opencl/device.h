@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,8 @@ public:
     /// Waits until everything launched has been done, and adds its times to the profile.
     void finish();
     const Profile &profile() const;
+    /// Names of the kernels made so far, sorted.
+    const std::set<std::string> &kernels() const;
     /// Seconds spent so far in building programs.
     double build_seconds() const;
     /// Called with a kernel file's name before it is built.

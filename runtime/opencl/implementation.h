@@ -3,6 +3,7 @@
 #include <CL/opencl.hpp>
 
 #include <map>
+#include <set>
 #include <vector>
 
 #include "runtime/opencl/device.h"
@@ -21,6 +22,7 @@ struct Device::Implementation {
     cl::Context context;
     cl::CommandQueue queue;
     std::map<std::string, cl::Program> programs;  ///< expanded text -> program
+    std::set<std::string> kernels;                ///< names of those made so far
     std::vector<PendingLaunch> pending;
     Profile profile;
     double build_seconds = 0;

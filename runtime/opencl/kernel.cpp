@@ -17,6 +17,7 @@ Kernel::Kernel(Device &device, const std::string &file, const std::string &name,
         const uint parameters = kernel.getInfo<CL_KERNEL_NUM_ARGS>();
         return std::make_unique<Implementation>(Implementation{std::move(kernel), parameters});
     });
+    device.implementation().kernels.insert(name);
 }
 Kernel::Kernel(Kernel &&) noexcept = default;
 Kernel::~Kernel() = default;

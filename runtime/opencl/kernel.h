@@ -18,6 +18,7 @@ struct Grid {
 class Kernel {
 public:
     /// `items_per_work_item`: 0 is the device's own for stages. The program is built here, or known already by its expanded text.
+    /// Throws BuildError with the compiler's words, and Error if the file is not there or has no such kernel.
     Kernel(Device &device, const std::string &file, const std::string &name, const Sources &generated, uint items_per_work_item = 0);
     Kernel(Kernel &&) noexcept;
     ~Kernel();

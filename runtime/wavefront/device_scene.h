@@ -8,6 +8,7 @@ namespace brandung {
 /// As kernel argument it is SCENE_PARAMS: header and arena.
 class DeviceScene {
 public:
+    /// Copies the records to the device, and writes the generated files. Throws Error if one allocation of the device cannot hold the arena.
     DeviceScene(Device &device, const CompiledScene &scene)
         : header_(device, std::span(&scene.header, 1)), arena_(device, scene.arena), lists_(specialize(scene)) {}
 

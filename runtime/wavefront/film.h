@@ -7,6 +7,7 @@ namespace brandung {
 
 class Film {
 public:
+    /// Black. Throws Error if one allocation of the device cannot hold the sums of so many pixels, and BuildError.
     Film(Device &device, uint width, uint height);
 
     /// Adds a batch's samples.

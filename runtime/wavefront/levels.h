@@ -40,9 +40,11 @@ public:
     /// items.
     Levels(Device &device, uint batch, uint branching, uint generations, uint interior_size);
 
-    /// Forgets everything; the caller fills the first `count` slots of the result and its live list.
+    /// Forgets everything, and allocates the first level if there is none yet, as `next` does; the caller fills the first `count` slots of the result
+    /// and its live list.
     Level &start(uint count);
-    /// From the deepest level that has a full launch, else from the shallowest that has any; nothing when all rays have ended.
+    /// From the deepest level that has a full launch, else from the shallowest that has any; nothing when all rays have ended. Allocates the level
+    /// of the children if it is the first time that one is needed; throws Error if the device cannot hold it.
     std::optional<Wave> next();
     /// Tells how many of the last wave's children live; their list was written from the next level's `end` on.
     void add_children(const Wave &wave, uint live);

@@ -5,8 +5,8 @@
 #include <cctype>
 #include <filesystem>
 
-#include "scene/document.h"
 #include "scene/error.h"
+#include "scene/input.h"
 
 namespace brandung {
 

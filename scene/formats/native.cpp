@@ -1,11 +1,11 @@
 /// The native scene format: JSON, as `brandung.schema.json` describes it.
 #include <algorithm>
-#include <cmath>
 
 #include "scene/bsdfs/bsdf.h"
 #include "scene/formats/format.h"
 #include "scene/lights/light.h"
 #include "scene/parameters.h"
+#include "scene/view.h"
 
 namespace brandung {
 namespace {
@@ -52,15 +52,6 @@ void read_objects(const Parameters &root, Scene &scene) {
     }
 }
 
-/// Refuses views without a direction, or whose direction leaves open which way is up.
-void check_view(const Parameters &parameters, const CameraDescription &camera) {
-    const glm::dvec3 view = glm::dvec3(camera.at) - glm::dvec3(camera.from), up(camera.up);
-    if (camera.from == camera.at) parameters.fail("at", "must differ from \"from\"");
-    if (camera.up == vec3(0)) parameters.fail("up", "must not be zero");
-    if (glm::length(glm::cross(view, up)) < 1e-6 * glm::length(view) * glm::length(up))
-        parameters.fail("up", "must not be parallel to the view from \"from\" to \"at\"");
-}
-
 /// The materials that the eye is in.
 std::vector<std::string> read_inside(const Parameters &parameters, const Scene &scene) {
     std::vector<std::string> names = parameters.texts("inside");
@@ -85,7 +76,7 @@ CameraDescription read_camera(const Parameters &parameters, const std::string &n
     camera.fov = glm::radians(degrees);
     camera.inside = read_inside(parameters, scene);
     parameters.expect_all_known();
-    check_view(parameters, camera);
+    if (const auto fault = view_fault(camera)) parameters.fail(fault->key, fault->why);
     return camera;
 }
 

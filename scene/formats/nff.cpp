@@ -12,6 +12,7 @@
 #include "scene/lights/light.h"
 #include "scene/parameters.h"
 #include "scene/primitives/add.h"
+#include "scene/view.h"
 
 namespace brandung {
 namespace {
@@ -71,16 +72,6 @@ void read_resolution(Tokens &tokens, FilmSettings &film) {
     }
 }
 
-/// Refuses views without a direction, or whose direction leaves open which way is up.
-void check_view(const Reading &reading, const CameraDescription &camera) {
-    const glm::dvec3 view = glm::dvec3(camera.at) - glm::dvec3(camera.from), up(camera.up);
-    const uint line = reading.viewpoint_line;
-    if (camera.from == camera.at) reading.tokens.fail_at(line, "viewpoint: \"at\" must differ from \"from\"");
-    if (camera.up == vec3(0)) reading.tokens.fail_at(line, "viewpoint: \"up\" must not be zero");
-    if (glm::length(glm::cross(view, up)) < 1e-6 * glm::length(view) * glm::length(up))
-        reading.tokens.fail_at(line, "viewpoint: \"up\" must not be parallel to the view from \"from\" to \"at\"");
-}
-
 float read_angle(Tokens &tokens) {
     const float degrees = tokens.number("angle");
     if (!(degrees > 0 && degrees < 180)) tokens.fail(fmt::format("angle: must be above 0 and below 180 degrees, got {:g}", degrees));
@@ -111,7 +102,7 @@ void read_viewpoint(Reading &reading) {
     for (std::size_t i = 0; i < 5; ++i) {
         if (!seen[i]) tokens.fail_at(reading.viewpoint_line, fmt::format("viewpoint: needs \"{}\", found {}", names[i], tokens.found()));
     }
-    check_view(reading, camera);
+    if (const auto fault = view_fault(camera)) tokens.fail_at(reading.viewpoint_line, fmt::format("viewpoint: \"{}\" {}", fault->key, fault->why));
     reading.scene.cameras.push_back(camera);
 }
 

@@ -1,4 +1,8 @@
 /// Settings that every scene format takes: film, integrator, accelerator.
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "scene/accelerators/accelerator.h"
 #include "scene/formats/format.h"
 #include "scene/parameters.h"
@@ -7,6 +11,7 @@ namespace brandung {
 namespace {
 
 constexpr uint max_resolution = 65535, max_samples = 1u << 24, max_depth = 1000;
+constexpr float max_exposure = 100;  ///< [EV]: the brightest radiance of a film, 2^16, times 2 to this power is a float
 
 void read_film(const Parameters &parameters, FilmSettings &film) {
     film.width = parameters.integer("width", film.width, 1, max_resolution);
@@ -15,6 +20,8 @@ void read_film(const Parameters &parameters, FilmSettings &film) {
     film.seed = parameters.integer("seed", film.seed);
     film.pixel = parameters.choice("pixel", {"corner", "center", "random"}, film.pixel);
     film.exposure = parameters.number("exposure", film.exposure);
+    if (std::abs(film.exposure) > max_exposure)
+        parameters.fail("exposure", fmt::format("must be from -{0:g} to {0:g} EV, got {1:g}", max_exposure, film.exposure));
     parameters.expect_all_known();
 }
 

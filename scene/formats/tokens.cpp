@@ -4,30 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <limits>
 
-#include "scene/document.h"
 #include "scene/error.h"
+#include "scene/input.h"
 #include "scene/parameters.h"
 
 namespace brandung {
 namespace {
-
-std::string read_text(const std::string &file) {
-    check_readable(file);
-    std::ifstream stream(file, std::ios::binary);
-    std::string text;
-    char part[1 << 16];
-    while (stream.read(part, sizeof part) || stream.gcount() > 0) text.append(part, std::size_t(stream.gcount()));
-    if (stream.bad()) throw SceneError(fmt::format("{}: cannot be read: {}", file, std::strerror(errno)));
-    return text;
-}
 
 bool is_blank(char c) { return c == ' ' || ('\t' <= c && c <= '\r'); }
 bool ends_word(char c) { return is_blank(c) || c == '#'; }
@@ -41,7 +27,7 @@ std::string quoted(std::string_view word) {
     return result + (word.size() > 32 ? "...\"" : "\"");
 }
 
-Tokens::Tokens(const std::string &file) : file_(file), text_(read_text(file)), at_(text_.data()), end_(at_ + text_.size()) {}
+Tokens::Tokens(const std::string &file) : file_(file), text_(file_text(file)), at_(text_.data()), end_(at_ + text_.size()) {}
 
 void Tokens::fail_at(uint line, const std::string &why) const { throw SceneError(fmt::format("{}:{}: {}", file_, line, why)); }
 

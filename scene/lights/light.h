@@ -17,7 +17,9 @@ struct LightKind {
     Light (*read)(const Parameters &parameters);
 };
 const std::vector<LightKind> &light_kinds();
+/// `intensity` [W/sr] is divided by attenuation.x + attenuation.y d + attenuation.z d² at the distance d, so these are not all zero.
 Light make_light(const PointLight &light);
+/// `direction`, of unit length, leads to where the light comes from; `irradiance` [W/m²] is that of a surface across it.
 Light make_light(const DirectionalLight &light);
 
 }  // namespace brandung

@@ -6,8 +6,11 @@
 
 namespace brandung {
 
+/// A negative radius: only the inside is visible.
 void add_sphere(Scene &scene, uint material, vec3 center, float radius);
+/// The lateral surface between two circles; both radii negative: only the inside is visible. One may be 0, but they have not both signs.
 void add_frustum(Scene &scene, uint material, vec3 base, float base_radius, vec3 apex, float apex_radius);
+/// Indices are below the number of positions.
 void add_triangle_mesh(Scene &scene, uint material, MeshData mesh);
 /// Triangulates a polygon and appends it to a mesh; `normals` is empty, as in the mesh so far, or has a unit vector per vertex.
 void append_polygon(Scene &scene, MeshData &mesh, const std::vector<vec3> &vertices, const std::vector<vec3> &normals);

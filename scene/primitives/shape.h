@@ -54,7 +54,7 @@ const std::vector<ShapeReader> &shape_readers();
 /// All kinds of primitives, in the order in which generated lists name them.
 const std::vector<const PrimitiveKind *> &primitive_kinds();
 
-// One maker per kind; a maker adds a counted warning to the scene and no shape where the thing has no surface.
+// One maker per kind; null where the thing has no surface. scene/primitives/add.h counts these.
 std::unique_ptr<Shape> make_sphere(uint material, vec3 center, float radius);
 /// From base to apex, without caps; both radii negative: only the inside is visible.
 std::unique_ptr<Shape> make_frustum(uint material, vec3 base, float base_radius, vec3 apex, float apex_radius);

@@ -98,7 +98,7 @@ std::vector<vec3> read_normals(const Parameters &parameters, const std::string &
     if (!normals.empty() && normals.size() != vertices)
         parameters.fail(name, fmt::format("must be one per vertex, got {} for {} vertices", normals.size(), vertices));
     for (std::size_t i = 0; i < normals.size(); ++i) {
-        if (normals[i] == vec3(0)) parameters.fail(name, fmt::format("must not be zero, but number {} is (counted from 0)", i));
+        if (normals[i] == vec3(0)) parameters.fail_element(name, i, "must not be zero");
         normals[i] = vec3(glm::normalize(glm::dvec3(normals[i])));
     }
     return normals;
@@ -115,9 +115,10 @@ void read_triangle_mesh(const Parameters &parameters, uint material, Scene &scen
         parameters.fail("uvs", fmt::format("must be one pair per vertex, got {} for {} vertices", mesh.uvs.size(), mesh.positions.size()));
     if (mesh.indices.empty() || mesh.indices.size() % 3 != 0)
         parameters.fail("indices", fmt::format("must be three per triangle, got {}", mesh.indices.size()));
-    for (const uint index : mesh.indices) {
-        if (index >= mesh.positions.size())
-            parameters.fail("indices", fmt::format("must be below the number of vertices, {}, got {}", mesh.positions.size(), index));
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        if (mesh.indices[i] >= mesh.positions.size())
+            parameters.fail_element("indices", i,
+                                    fmt::format("must be below the number of vertices, {}, got {}", mesh.positions.size(), mesh.indices[i]));
     }
     add_triangle_mesh(scene, material, std::move(mesh));
 }

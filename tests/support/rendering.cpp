@@ -10,7 +10,7 @@ Rendering render_scene(const Scene &scene, const RenderOptions &options) {
     const DeviceScene on_device(device, compiled);
     Film film(device, scene.film.width, scene.film.height);
     Renderer renderer(device, scene, compiled, on_device, scene.cameras.at(0), options);
-    renderer.render(film);
+    if (const RenderEnd end = renderer.render(film); !end.failure.empty()) throw Error(end.failure);
     return {film.read(), film.develop(), renderer.integrator().counts(), renderer.integrator().refused(), film.clamped()};
 }
 

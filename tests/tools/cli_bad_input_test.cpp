@@ -55,6 +55,7 @@ TEST_P(BadUsage, Exits2WithOneLine) {
     for (std::string &argument : arguments) {
         if (argument == "SCENE") argument = folder.write("scene.json", native_scene());
         if (argument == "OUT") argument = folder.path("out.png");
+        if (argument == "DETOUR") argument = folder.path("nowhere/.././out.png");
     }
     expect_failure(run_program(arguments), 2, {GetParam().says});
     for (const std::string &name : folder.names()) EXPECT_EQ(name, "scene.json");
@@ -73,6 +74,11 @@ INSTANTIATE_TEST_SUITE_P(Cli, BadUsage,
                                          Usage{"BatchHuge", {"render", "SCENE", "-o", "OUT", "--batch", "99999999999"}, "--batch"},
                                          Usage{"SizeWithoutCross", {"render", "SCENE", "-o", "OUT", "--size", "100"}, "--size"},
                                          Usage{"DepthZero", {"render", "SCENE", "-o", "OUT", "--max-depth", "0"}, "--max-depth"},
+                                         Usage{"SameOutputTwice", {"render", "SCENE", "-o", "OUT", "-o", "OUT"}, "--output"},
+                                         Usage{"StatisticsInTheOutput", {"render", "SCENE", "-o", "OUT", "--stats", "OUT"}, "--stats"},
+                                         Usage{
+                                             "StatisticsInTheOutputByAnotherName", {"render", "SCENE", "-o", "OUT", "--stats", "DETOUR"}, "--stats"},
+                                         Usage{"StatisticsInTheScene", {"render", "SCENE", "-o", "OUT", "--stats", "SCENE"}, "--stats"},
                                          Usage{"SeedNegative", {"render", "SCENE", "-o", "OUT", "--seed", "-1"}, "--seed"},
                                          Usage{"ThreadsNegative", {"render", "SCENE", "-o", "OUT", "--threads", "-2"}, "--threads"}),
                          [](const auto &info) { return info.param.name; });
@@ -119,6 +125,7 @@ INSTANTIATE_TEST_SUITE_P(
         Setting{"SetOfUnknownKey", {"--set", "film.colour=1"}, {"colour"}}, Setting{"SetOfUnknownSection", {"--set", "magic=1"}, {"magic"}},
         Setting{"SetToWrongType", {"--set", "film.spp=lots"}, {"spp", "lots"}}, Setting{"SetToZero", {"--set", "film.spp=0"}, {"spp", "0"}},
         Setting{"SetToAFraction", {"--set", "film.spp=1.5"}, {"spp", "1.5"}},
+        Setting{"ExposureBeyondFloats", {"--set", "film.exposure=1000"}, {"exposure", "1000"}},
         Setting{"SetToInfinity", {"--set", "film.exposure=1e999"}, {"exposure"}}, Setting{"SetThroughANumber", {"--set", "film.spp.more=1"}, {"spp"}},
         Setting{"ThresholdNegative", {"--set", "integrator.threshold=-1"}, {"threshold", "-1"}}),
     [](const auto &info) { return info.param.name; });
@@ -127,6 +134,13 @@ TEST(BadResolution, BeyondMemoryIsRefusedWithTheSizesBeforeRendering) {
     const TemporaryFolder folder;
     // 65535² pixels of 104 bytes in the film and 12 in the picture: 464 GiB.
     expect_render_fails(folder, folder.write("scene.json", native_scene()), {"--size", "65535x65535"}, 1, {"65535", "MiB"});
+}
+
+TEST(BadBatch, WavesBeyondMemoryAreRefusedWithTheSizesBeforeRendering) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.nff", nff_scene("f 1 1 1 1 1 1 0 1\ns 0 0 0 1\n"));
+    // 16 M mirrored rays of each of 1000 generations: nearly a TiB.
+    expect_render_fails(folder, scene, {"--batch", "16777216", "--max-depth", "1000"}, 1, {scene, "MiB", "waves"});
 }
 
 // ---- scene files -----------------------------------------------------------------------------------------------------------------------------
@@ -197,7 +211,7 @@ std::vector<SceneText> bad_scenes() {
         with_object("NumberBeyondFloat", sphere + R"("radius": 1e39})", {"radius", "float"}),
         with_object("NumberBeyondSquares", sphere + R"("radius": 1e30})", {"radius", "1e15"}),
         with_object("CenterOfTwo", R"({"type": "sphere", "material": "grey", "center": [0, 0], "radius": 1})", {"center", "3"}),
-        with_object("IndexOutOfRange", mesh + R"("indices": [0, 1, 3]})", {"indices", "3"}),
+        with_object("IndexOutOfRange", mesh + R"("indices": [0, 1, 3]})", {"/objects/0/indices/2", "got 3"}),
         with_object("IndexNegative", mesh + R"("indices": [0, 1, -1]})", {"indices", "-1"}),
         with_object("IndexFractional", mesh + R"("indices": [0, 1, 1.5]})", {"indices", "1.5"}),
         with_object("IndexHuge", mesh + R"("indices": [0, 1, 4294967296]})", {"indices", "4294967296"}),
@@ -340,6 +354,8 @@ TEST(BadOutput, UnknownPictureType) {
     const std::string scene = folder.write("scene.json", native_scene());
     expect_render_fails(folder, scene, {"-o", folder.path("out.xyz")}, 1, {folder.path("out.xyz"), "xyz"});
     expect_render_fails(folder, scene, {"-o", folder.path("out")}, 1, {folder.path("out")});
+    for (const char *name : {"out.zfile", "out.null", "out.term"})
+        expect_render_fails(folder, scene, {"-o", folder.path(name)}, 1, {folder.path(name), "cannot write"});
     expect_render_fails(folder, scene, {"-o", folder.path("good.png"), "-o", folder.path("out.xyz")}, 1, {folder.path("out.xyz")});
 }
 
@@ -347,6 +363,25 @@ TEST(BadOutput, FolderThatIsNotThere) {
     const TemporaryFolder folder;
     expect_render_fails(folder, folder.write("scene.json", native_scene()), {"-o", folder.path("nowhere/out.png")}, 1,
                         {folder.path("nowhere/out.png"), "folder"});
+}
+
+TEST(BadOutput, NamesThatAreTooLong) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.json", native_scene()), name = folder.path(std::string(300, 'x'));
+    expect_render_fails(folder, scene, {"-o", name + ".png"}, 1, {name + ".png: cannot write there: File name too long"});
+    expect_render_fails(folder, scene, {"--stats", name}, 1, {name + ": cannot write there: File name too long"});
+    expect_render_fails(folder, name + ".json", {}, 1, {name + ".json: cannot be read: File name too long"});
+}
+
+TEST(BadOutput, StandardOutputThatTakesNothing) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.json", native_scene());
+    RunOptions options;
+    options.out_file = "/dev/full";
+    for (const std::vector<std::string> &arguments :
+         {std::vector<std::string>{"--help"}, {"--version"}, {"devices"}, {"info", scene}, {"info", scene, "--json"}})
+        expect_failure(run_program(arguments, options), 1, {"standard output"});
+    expect_render_fails(folder, scene, {"--explain"}, 1, {"standard output"}, options);
 }
 
 TEST(BadOutput, NameOfAFolder) {
@@ -414,6 +449,23 @@ TEST(BadDevice, NoneAtAllNamesThePackageToInstall) {
 TEST(BadDevice, UnknownOneIsAnsweredWithThoseThatThereAre) {
     const TemporaryFolder folder;
     expect_render_fails(folder, folder.write("scene.json", native_scene()), {"--device", "abacus"}, 1, {"abacus", "pthread"});
+}
+
+TEST(BadDevice, AFaultyDriverDoesNotKeepTheOtherDevicesFromBeingUsed) {
+    const TemporaryFolder folder, drivers;
+    for (const auto &driver : std::filesystem::directory_iterator("/etc/OpenCL/vendors"))
+        drivers.write(driver.path().filename().string(), read_file(driver.path().string()));
+    drivers.write("faulty.icd", FAULTY_DRIVER "\n");
+    RunOptions options;
+    options.environment["OCL_ICD_VENDORS"] = drivers.path("");
+    const Finished listed = run_program({"devices"}, options);
+    EXPECT_EQ(listed.status, 0) << listed.err;
+    EXPECT_NE(listed.out.find("  broken accelerator |"), std::string::npos) << listed.out;
+    EXPECT_NE(listed.out.find("cannot be used: it cannot be described: clGetDeviceInfo failed with CL_OUT_OF_RESOURCES"), std::string::npos)
+        << listed.out;
+    const std::string scene = folder.write("scene.json", native_scene());
+    EXPECT_EQ(run_program({"info", scene}, options).status, 0);
+    expect_render_fails(folder, scene, {"--device", "broken"}, 1, {"'broken accelerator' cannot be described"}, options);
 }
 
 TEST(BadDevice, KernelFolderThatIsNotThere) {

@@ -73,9 +73,13 @@ TEST(Outputs, ExrNamesProgramSettingsSceneAndStatistics) {
     EXPECT_EQ(picture.text("brandung:threshold"), "0.25");
     EXPECT_EQ(picture.text("brandung:spp"), "2");
     EXPECT_EQ(picture.text("brandung:seed"), "3");
+    EXPECT_EQ(picture.text("brandung:pixel"), "center");
+    EXPECT_EQ(picture.text("brandung:camera"), "camera");
     const json statistics = json::parse(picture.text("brandung:statistics"));
     EXPECT_EQ(statistics.at("rays").at("camera"), 32 * 24 * 2);
     EXPECT_EQ(statistics.at("accelerator"), "wide_bvh");
+    EXPECT_GT(statistics.at("seconds").at("render"), 0);
+    for (const char *name : {"write", "total"}) EXPECT_FALSE(statistics.at("seconds").contains(name)) << name << " is not known yet";
 }
 
 /// The hash tells whether two pictures are of the same scene, wherever its file lies.
@@ -147,7 +151,7 @@ TEST(Statistics, HaveEveryPromisedField) {
     for (const char *name : {"triangles", "primitives", "lights", "materials"}) EXPECT_TRUE(stats.at("scene").at(name).is_number_unsigned()) << name;
     for (const char *name : {"device", "integrator", "accelerator"}) EXPECT_TRUE(stats.at(name).is_string()) << name;
     for (const char *name : {"width", "height", "spp", "seed"}) EXPECT_TRUE(stats.at(name).is_number_unsigned()) << name;
-    for (const char *name : {"read", "scene", "accelerator", "kernels", "render", "write", "total"})
+    for (const char *name : {"read", "scene", "accelerator", "device", "kernels", "render", "write", "total"})
         EXPECT_GE(stats.at("seconds").at(name).get<double>(), 0) << name;
     for (const char *name : {"camera", "reflected", "refracted", "shadow", "total", "camera_hits", "reflected_hits", "refracted_hits", "shadow_hits"})
         EXPECT_TRUE(stats.at("rays").at(name).is_number_unsigned()) << name;

@@ -1,6 +1,7 @@
 /// The program's subcommands where nothing is wrong: what they print, write and return.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <nlohmann/json.hpp>
 
@@ -88,6 +89,43 @@ TEST(Cli, InfoCountsWhatTheSceneContains) {
     expect_success(text);
     for (const char *line : {"primitives: 4", "triangles: 2", "uses    primitive sphere", "skips   light directional"})
         EXPECT_NE(text.out.find(line), std::string::npos) << line << " in\n" << text.out;
+}
+
+/// Info describes the render that the same options would start.
+TEST(Cli, InfoTakesTheOptionsOfRender) {
+    const TemporaryFolder folder;
+    const std::string stats = folder.path("stats.json");
+    const std::vector<std::string> options = {"--size",        "50x40", "--set",       "materials.0.reflection=0.5",
+                                              "--batch",       "8192",  "--max-depth", "2",
+                                              "--accelerator", "none",  "--camera",    "camera"};
+    std::vector<std::string> render_arguments = {"-o", folder.path("out.png"), "--quiet", "--stats", stats},
+                             info_arguments = {"info", folder.path("scene.json"), "--json"};
+    render_arguments.insert(render_arguments.end(), options.begin(), options.end());
+    info_arguments.insert(info_arguments.end(), options.begin(), options.end());
+    expect_success(render(folder, render_arguments));
+    const Finished run = run_program(info_arguments);
+    expect_success(run);
+    const json info = json::parse(run.out), rendered = json::parse(read_file(stats));
+    EXPECT_EQ(info.at("film").at("width"), 50);
+    EXPECT_EQ(info.at("camera"), "camera");
+    for (const char *name : {"memory", "features", "accelerator", "scene"}) EXPECT_EQ(info.at(name), rendered.at(name)) << name;
+    std::vector<std::string> kernels = info.at("kernels");
+    for (const json &kernel : rendered.at("kernels")) EXPECT_EQ(std::count(kernels.begin(), kernels.end(), kernel.at("name")), 1) << kernel;
+    EXPECT_EQ(std::count(kernels.begin(), kernels.end(), "spawn_whitted"), 1);
+    const json matte = json::parse(run_program({"info", folder.path("scene.json"), "--json"}).out);
+    kernels = matte.at("kernels");
+    EXPECT_EQ(std::count(kernels.begin(), kernels.end(), "spawn_whitted"), 0) << "nothing reflects";
+}
+
+TEST(Cli, MoreThanEightMediaAreMentioned) {
+    const TemporaryFolder folder;
+    std::string spheres;
+    for (int i = 1; i <= 10; ++i) spheres += "f 1 1 1 0 0 1 1 1.5\ns 0 0 0 0." + std::to_string(i) + "\n";
+    const Finished run = run_program({"render", folder.write("scene.nff", nff_scene(spheres)), "-o", folder.path("out.png"), "--quiet", "--explain"});
+    expect_success(run);
+    EXPECT_TRUE(run.err.starts_with("warning: transparent material beyond 8: ")) << run.err;
+    EXPECT_TRUE(run.err.ends_with(" (2 times)\n")) << run.err;
+    EXPECT_NE(run.out.find("skips   more than 8 media"), std::string::npos) << run.out;
 }
 
 TEST(Cli, RenderWritesNothingButMessagesToStandardError) {
@@ -234,6 +272,20 @@ TEST(CliInterrupted, WritesThePictureSoFarAndExits130) {
     const json rays = json::parse(read_file(folder.path("stats.json"))).at("rays");
     EXPECT_GE(rays.at("camera").get<std::uint64_t>(), 16384u);
     EXPECT_LT(rays.at("camera").get<std::uint64_t>(), 512ull * 512 * 100000);
+}
+
+/// With as many lights a batch takes seconds, which the first signal waits for.
+TEST(CliInterrupted, TheSecondTimeEndsTheProgramAtOnce) {
+    const TemporaryFolder folder;
+    std::string lights;
+    for (int i = 0; i < 6000; ++i) lights += "l 2 3 4\n";
+    const std::string scene = folder.write("scene.nff", nff_scene(lights + "s 0 0 0 3\n"));
+    RunOptions options;
+    options.signal_when = [](const std::string &err) { return err.find("waves at most") != std::string::npos ? SIGINT : 0; };
+    options.signals = 2;
+    const Finished run = run_program({"render", scene, "-o", folder.path("out.png"), "--size", "256x128"}, options);
+    EXPECT_EQ(run.signal, SIGINT) << "status " << run.status << "\n" << run.err;
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"scene.nff"});
 }
 
 TEST(CliInterrupted, ByTheTerminateSignalToo) {

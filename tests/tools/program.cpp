@@ -31,7 +31,8 @@ struct Pipe {
 
 [[noreturn]] void become_program(const std::vector<std::string> &arguments, const RunOptions &options, const Pipe &out, const Pipe &err) {
     const int nothing = open("/dev/null", O_RDONLY);
-    dup2(nothing, STDIN_FILENO), dup2(out.write, STDOUT_FILENO), dup2(err.write, STDERR_FILENO);
+    const int standard_output = options.out_file.empty() ? out.write : open(options.out_file.c_str(), O_WRONLY);
+    dup2(nothing, STDIN_FILENO), dup2(standard_output, STDOUT_FILENO), dup2(err.write, STDERR_FILENO);
     for (const int end : {nothing, out.read, out.write, err.read, err.write}) close(end);
     for (const auto &[name, value] : options.environment) setenv(name.c_str(), value.c_str(), 1);
     if (options.largest_file > 0) {
@@ -60,7 +61,8 @@ bool read_some(int end, std::string &text) {
 void collect(pid_t child, const RunOptions &options, int out, int err, Finished &finished) {
     const auto deadline = Clock::now() + std::chrono::duration<double>(options.seconds);
     std::array<pollfd, 2> ends = {pollfd{out, POLLIN, 0}, pollfd{err, POLLIN, 0}};
-    bool signalled = false;
+    int signals_left = options.signals;
+    auto next_signal = Clock::now();
     while (ends[0].fd >= 0 || ends[1].fd >= 0) {
         if (Clock::now() > deadline) {
             finished.timed_out = true;
@@ -70,9 +72,10 @@ void collect(pid_t child, const RunOptions &options, int out, int err, Finished 
         poll(ends.data(), ends.size(), 50);
         if (ends[0].revents != 0 && !read_some(out, finished.out)) ends[0].fd = -1;
         if (ends[1].revents != 0 && !read_some(err, finished.err)) ends[1].fd = -1;
-        const int signal = options.signal_when && !signalled ? options.signal_when(finished.err) : 0;
-        if (signal != 0) {
-            signalled = true;
+        const bool may_signal = options.signal_when && signals_left > 0 && Clock::now() >= next_signal;
+        if (const int signal = may_signal ? options.signal_when(finished.err) : 0) {
+            --signals_left;
+            next_signal = Clock::now() + std::chrono::milliseconds(200);
             kill(child, signal);
         }
     }

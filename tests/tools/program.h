@@ -17,9 +17,11 @@ struct Finished {
 struct RunOptions {
     double seconds = 120;  ///< after which it is killed
     std::map<std::string, std::string> environment;
-    /// Called whenever it has written something to standard error, with all of that; a signal to send then, or 0. At most one is sent.
+    /// Called whenever it has written something to standard error, with all of that; a signal to send then, or 0.
     std::function<int(const std::string &err)> signal_when;
+    int signals = 1;               ///< so many are sent at most, with 0.2 s between them
     std::size_t largest_file = 0;  ///< [bytes] that it may write to a file, as if the disk were full; 0 for no limit
+    std::string out_file;          ///< gets standard output instead of `Finished::out`
 };
 
 /// Runs `brandung` with these arguments.

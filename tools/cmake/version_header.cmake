@@ -1,8 +1,9 @@
-# write_version_header(): <build>/generated/brandung_version.h with the version and what git says of the source.
+# write_version_header(): <build>/generated/brandung_version.h with the version and what git says of the source when
+# CMake runs: the commit, and "dirty" where files differ from it.
 
 function(write_version_header)
     execute_process(
-        COMMAND git -C ${PROJECT_SOURCE_DIR} describe --always --tags
+        COMMAND git -C ${PROJECT_SOURCE_DIR} describe --always --tags --dirty
         OUTPUT_VARIABLE description OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
     if(NOT description)
         set(description unknown)

@@ -79,6 +79,15 @@ TEST(Native, ReadsEverySection) {
     EXPECT_EQ(scene.shapes[1]->material, 0u);
 }
 
+TEST(Native, TakesExposuresThatLeaveRadianceFinite) {
+    for (const char *exposure : {"100", "-100"}) EXPECT_EQ(error_of(small_scene, {std::string("film.exposure=") + exposure}), "") << exposure;
+    for (const char *exposure : {"100.1", "-1e15"})
+        EXPECT_NE(error_of(small_scene, {std::string("film.exposure=") + exposure})
+                      .find("/film/exposure (set on the command line): must be from -100 to 100"),
+                  std::string::npos)
+            << exposure;
+}
+
 TEST(Native, ReadsCameras) {
     const Scene one = read_text(small_scene);
     ASSERT_EQ(one.cameras.size(), 1u);

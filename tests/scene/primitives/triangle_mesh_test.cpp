@@ -97,7 +97,7 @@ TEST(TriangleMeshShape, BadMeshesAreRefused) {
         return error_of_shape(R"({"type": "triangle_mesh", "positions": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], )" + rest + "}");
     };
     EXPECT_EQ(error(R"("indices": [0, 1, 2])"), "");
-    EXPECT_NE(error(R"("indices": [0, 1, 3])").find("must be below the number of vertices, 3, got 3"), std::string::npos);
+    EXPECT_NE(error(R"("indices": [0, 1, 3])").find("/indices/2: must be below the number of vertices, 3, got 3"), std::string::npos);
     EXPECT_NE(error(R"("indices": [0, 1])").find("must be three per triangle, got 2"), std::string::npos);
     EXPECT_NE(error(R"("indices": [])").find("must be three per triangle, got 0"), std::string::npos);
     EXPECT_NE(error(R"("indices": [0, 1, -1])"), "");

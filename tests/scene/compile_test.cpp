@@ -1,0 +1,52 @@
+#include "scene/compile.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/scenes.h"
+
+namespace brandung {
+namespace {
+
+/// So many spheres of glass, each with a material of its own.
+Scene glass_spheres(uint count) {
+    Scene scene;
+    scene.cameras.push_back({.name = "camera"});
+    for (uint i = 0; i < count; ++i) add_sphere(scene, add_material(scene, glass(1.5f)), vec3(0), float(i + 1));
+    return scene;
+}
+
+TEST(Compile, ListsOfMediaHoldEveryTransparentMaterialUpToEight) {
+    EXPECT_EQ(compile(glass_spheres(0)).interior_size, 0u);
+    EXPECT_EQ(compile(glass_spheres(1)).interior_size, 1u);
+    EXPECT_EQ(compile(glass_spheres(3)).interior_size, 4u);
+    const CompiledScene eight = compile(glass_spheres(8));
+    EXPECT_EQ(eight.interior_size, 8u);
+    EXPECT_TRUE(eight.warnings.empty());
+}
+
+TEST(Compile, TransparentMaterialsBeyondEightAreCountedInAWarning) {
+    const CompiledScene compiled = compile(glass_spheres(11));
+    EXPECT_EQ(compiled.interior_size, 8u);
+    EXPECT_EQ(compiled.media, 11u);
+    ASSERT_EQ(compiled.warnings.size(), 1u);
+    EXPECT_EQ(compiled.warnings.begin()->second, 3u);
+    EXPECT_NE(compiled.warnings.begin()->first.find("media"), std::string::npos);
+}
+
+/// What nothing is made of but the eye is in surrounds what the eye sees.
+TEST(Compile, ListsOfMediaHoldWhatTheEyeIsIn) {
+    Scene scene = glass_spheres(1);
+    const uint water = add_material(scene, glass(1.33f));
+    EXPECT_EQ(compile(scene).interior_size, 1u);
+    scene.cameras.push_back({.name = "diver", .inside = {scene.materials[water].name}});
+    EXPECT_EQ(compile(scene).interior_size, 2u);
+}
+
+TEST(Compile, KeepsTheScenesWarnings) {
+    Scene scene = glass_spheres(1);
+    add_sphere(scene, 0, vec3(0), 0);
+    EXPECT_EQ(compile(scene).warnings, scene.warnings);
+}
+
+}  // namespace
+}  // namespace brandung

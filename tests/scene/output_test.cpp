@@ -1,0 +1,66 @@
+#include "scene/output.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "scene/error.h"
+#include "scene/input.h"
+
+namespace brandung {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Output : public testing::Test {
+protected:
+    Output() { fs::create_directory(folder); }
+    ~Output() override { fs::remove_all(folder); }
+
+    std::string file(const std::string &name) const { return (folder / name).string(); }
+    /// The message of what `action` throws, which must be a SceneError.
+    template <class Action> static std::string error_of(Action action) {
+        try {
+            action();
+        } catch (const SceneError &error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    const fs::path folder = fs::temp_directory_path() / ("brandung-output-" + std::to_string(getpid()));
+};
+
+TEST_F(Output, NamesAsLongAsTheFileSystemTakesThemAreWritten) {
+    const std::string longest = file(std::string(251, 'x') + ".txt");
+    check_writable(longest);
+    write_text(longest, "text");
+    EXPECT_EQ(file_text(longest), "text");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
+}
+
+TEST_F(Output, LongerNamesAreRefusedInTheUsualForm) {
+    const std::string longer = file(std::string(300, 'x') + ".txt");
+    EXPECT_EQ(error_of([&] { check_writable(longer); }), longer + ": cannot write there: File name too long");
+    EXPECT_EQ(error_of([&] { write_text(longer, "text"); }), longer + ": cannot write there: File name too long");
+    EXPECT_EQ(error_of([&] { check_readable(longer); }), longer + ": cannot be read: File name too long");
+    EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST_F(Output, WhatCannotBeRenamedIsReportedAndRemoved) {
+    fs::create_directories(file("taken/inside"));
+    EXPECT_TRUE(error_of([&] { write_text(file("taken"), "text"); }).starts_with(file("taken") + ": cannot write there: "));
+    EXPECT_EQ(error_of([&] { check_writable(file("taken")); }), file("taken") + ": cannot write there: it is a folder");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
+}
+
+TEST_F(Output, TryingLeavesNothing) {
+    std::string written;
+    try_writing(file("a.txt"), [&](const std::string &name) { write_text(written = name, "text"); });
+    EXPECT_TRUE(written.ends_with(".txt")) << "formats go by extension";
+    EXPECT_TRUE(fs::is_empty(folder));
+}
+
+}  // namespace
+}  // namespace brandung

@@ -1,0 +1,33 @@
+#include "tools/job.h"
+
+#include <chrono>
+
+namespace brandung {
+namespace {
+
+Device select_device(const SceneOptions &options, std::function<void(const std::string &)> on_build) {
+    Device device = Device::select(options.device, options.threads);
+    device.on_build(std::move(on_build));
+    return device;
+}
+
+}  // namespace
+
+double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+Job::Job(const Scene &scene, const SceneOptions &options, std::function<bool(const RenderProgress &)> on_progress,
+         std::function<void(const std::string &)> on_build)
+    : scene(scene),
+      camera(chosen_camera(scene, options.camera)),
+      compiled(timed(seconds.scene, [&] { return compile(scene); })),
+      device(timed(seconds.device, [&] { return select_device(options, std::move(on_build)); })),
+      on_device(timed(seconds.device, [&] { return DeviceScene(device, compiled); })),
+      film(timed(seconds.kernels, [&] { return Film(device, scene.film.width, scene.film.height); })),
+      renderer(timed(seconds.kernels, [&] {
+          return Renderer(device, scene, compiled, on_device, camera, {options.batch, std::move(on_progress)});
+      })) {
+    seconds.accelerator = compiled.accelerator_seconds;
+    seconds.scene -= seconds.accelerator;
+}
+
+}  // namespace brandung

@@ -1,0 +1,52 @@
+/// Job: everything that a render prepares before its first ray.
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "runtime/renderer.h"
+#include "tools/scene_options.h"
+
+namespace brandung {
+
+/// Wall-clock time of the phases of a render [s]; what has no value is not known yet.
+struct PhaseSeconds {
+    double read = 0;         ///< the scene file
+    double scene = 0;        ///< from the scene to its arena, but for the accelerator
+    double accelerator = 0;  ///< building it
+    double device = 0;       ///< choosing the device, and copying the arena to it
+    double kernels = 0;      ///< building them, and allocating what they work on
+    double render = 0;
+    std::optional<double> write, total;
+};
+
+/// Seconds of a steady clock from some time on.
+double seconds_now();
+
+/// Runs a phase, adds the time it took to `seconds` and gives its result.
+template <class Phase> auto timed(double &seconds, Phase phase) {
+    struct Watch {
+        double &seconds, start = seconds_now();
+        ~Watch() { seconds += seconds_now() - start; }
+    } const watch{seconds};
+    return phase();
+}
+
+struct Job {
+    /// `scene` must live as long. `on_build` is called with a kernel file's name before it is built. Throws SceneError and Error.
+    Job(const Scene &scene, const SceneOptions &options, std::function<bool(const RenderProgress &)> on_progress,
+        std::function<void(const std::string &)> on_build);
+    /// Of scene, film and waves, at most.
+    std::size_t bytes() const { return on_device.bytes() + film.bytes() + renderer.wave_bytes(); }
+
+    PhaseSeconds seconds;
+    const Scene &scene;
+    const CameraDescription &camera;
+    CompiledScene compiled;
+    Device device;
+    DeviceScene on_device;
+    Film film;
+    Renderer renderer;
+};
+
+}  // namespace brandung

@@ -1,0 +1,57 @@
+#include "tools/scene_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "scene/error.h"
+#include "scene/formats/format.h"
+
+namespace brandung {
+namespace {
+
+/// The options that stand for settings of the scene file, after those that are given as such.
+std::vector<std::string> assignments(const SceneOptions &options) {
+    std::vector<std::string> all = options.settings;
+    const auto add = [&](const char *key, const std::string &value) { all.push_back(std::string(key) + "=" + value); };
+    if (!options.size.empty()) {
+        const auto cross = options.size.find('x');
+        if (cross == std::string::npos) throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, got '" + options.size + "'");
+        add("film.width", options.size.substr(0, cross)), add("film.height", options.size.substr(cross + 1));
+    }
+    if (options.spp) add("film.spp", std::to_string(*options.spp));
+    if (options.seed) add("film.seed", std::to_string(*options.seed));
+    if (!options.pixel.empty()) add("film.pixel", options.pixel);
+    if (options.max_depth) add("integrator.max_depth", std::to_string(*options.max_depth));
+    if (!options.integrator.empty()) add("integrator.type", options.integrator);
+    if (!options.accelerator.empty()) add("accelerator", options.accelerator);
+    return all;
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App &command, SceneOptions &options) {
+    command.add_option("scene", options.scene, "scene file: .json (native) or .nff")->required();
+    command.add_option("--integrator", options.integrator, "how light gets to the eye (default: the scene's)");
+    command.add_option("--accelerator", options.accelerator, "wide_bvh, none or auto (default: the scene's)");
+    command.add_option("--spp", options.spp, "samples per pixel")->check(CLI::PositiveNumber);
+    command.add_option("--size", options.size, "picture size as WIDTHxHEIGHT");
+    command.add_option("--seed", options.seed, "seed of random numbers");
+    command.add_option("--pixel", options.pixel, "where a single sample lies: corner, center or random");
+    command.add_option("--camera", options.camera, "name of the scene's camera to use (default: the first)");
+    command.add_option("--max-depth", options.max_depth, "rays in a chain, the eye ray being 1")->check(CLI::PositiveNumber);
+    command.add_option("--set", options.settings, "any setting of the scene file, as KEY=VALUE, such as integrator.threshold=0.01")
+        ->expected(1)
+        ->take_all();
+    command.add_option("--device", options.device, "OpenCL device whose name contains this");
+    command.add_option("--batch", options.batch, "rays per wave")->check(CLI::Range(1u, 1u << 24))->capture_default_str();
+    command.add_option("--threads", options.threads, "compute units to use of a CPU (default: all)");
+}
+
+Scene read_scene(const SceneOptions &options) { return read_scene(options.scene, assignments(options)); }
+
+const CameraDescription &chosen_camera(const Scene &scene, const std::string &name) {
+    for (const CameraDescription &camera : scene.cameras)
+        if (name.empty() || camera.name == name) return camera;
+    throw SceneError(scene.file + ": there is no camera '" + name + "'");
+}
+
+}  // namespace brandung

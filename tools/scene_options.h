@@ -1,0 +1,26 @@
+/// What render and info are told in the same way: a scene, changes to its settings, and on what it is rendered.
+#pragma once
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace brandung {
+
+struct SceneOptions {
+    std::string scene, integrator, accelerator, size, pixel, camera, device;
+    std::vector<std::string> settings;  ///< "KEY=VALUE"
+    std::optional<uint> spp, seed, max_depth;
+    uint batch = 32768, threads = 0;
+};
+
+/// `options` must live until the command has run.
+void add_scene_options(CLI::App &command, SceneOptions &options);
+/// The scene with its settings changed. Throws SceneError, and CLI::ValidationError for a size that is none.
+Scene read_scene(const SceneOptions &options);
+/// The scene's camera of that name, its first if the name is empty. Throws SceneError if there is none.
+const CameraDescription &chosen_camera(const Scene &scene, const std::string &name);
+
+}  // namespace brandung
