@@ -145,10 +145,6 @@ void count_media(const Scene &scene, const std::vector<bool> &used, CompiledScen
         compiled.media += (material.flags & MATERIAL_TRANSMITS) != 0 && (used[m] || has_eye_in(scene, name));
     }
     while (compiled.interior_size < std::min(compiled.media, max_interior_size)) compiled.interior_size = std::max(1u, 2 * compiled.interior_size);
-    if (compiled.media > max_interior_size)
-        compiled
-            .warnings[fmt::format("transparent material beyond {0}: of more than {0} media around one point, some are left out", max_interior_size)] =
-            compiled.media - max_interior_size;
 }
 
 void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {

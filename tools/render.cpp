@@ -105,6 +105,9 @@ void write_pictures(const Options &options, Job &job, const PhaseSeconds &second
 void print_losses(const Job &job) {
     if (const auto refused = job.renderer.integrator().refused())
         fmt::print(stderr, "warning: {} contributions were not finite and were left out\n", refused);
+    if (const auto lost = job.renderer.integrator().media_lost())
+        fmt::print(stderr, "warning: {} times a ray entered a transparent body from within {} others, and it was left out\n", lost,
+                   max_interior_size);
     if (const auto clamped = job.film.clamped()) fmt::print(stderr, "warning: {} samples were brighter than 65536 and were cut\n", clamped);
 }
 

@@ -119,6 +119,7 @@ json statistics(const Job &job, const PhaseSeconds &seconds) {
             {"seconds", phases(seconds)},
             {"rays", ray_statistics(integrator.counts())},
             {"refused", integrator.refused()},
+            {"media_lost", integrator.media_lost()},
             {"clamped", job.film.clamped()},
             {"kernels", kernel_statistics(job.device.profile())},
             {"memory", memory(job)},

@@ -65,12 +65,15 @@ FUNCTION HitList hits_at(Scene scene, Ray ray, Hit closest, bool crowded) {
 }
 
 /// The media on both sides of the faces. A ray that leaves what it never entered began inside of it.
-FUNCTION void cross_faces(const Face *faces, uint count, Interior *inside, Interior *beyond) {
+/// `lost` counts media entered for which there is no place.
+FUNCTION void cross_faces(const Face *faces, uint count, Interior *inside, Interior *beyond, volatile global uint *lost) {
     for (uint f = 0u; f < count; ++f)
         if (!faces[f].enters && !interior_contains(*inside, faces[f].material)) *inside = interior_entered(*inside, faces[f].material);
     *beyond = *inside;
-    for (uint f = 0u; f < count; ++f)
+    for (uint f = 0u; f < count; ++f) {
         *beyond = faces[f].enters ? interior_entered(*beyond, faces[f].material) : interior_left(*beyond, faces[f].material);
+        if (faces[f].enters && !interior_contains(*beyond, faces[f].material)) atomic_inc(lost);
+    }
 }
 
 /// Of coincident faces, the one whose medium counts most: the interface that there would be if the other body overlapped this one.
@@ -86,7 +89,7 @@ FUNCTION Hit foremost(Scene scene, const HitList *list) {
 /// over that behind; at an opaque surface, over the material's. Rays passed on are counted with refracted ones, one tally per work-item.
 kernel void find_interfaces(SCENE_PARAMS, LIVE_PARAMS, global Ray *restrict rays, global Hit *restrict hits, const global uchar *restrict crowded,
                             global uint *restrict interiors, global uint *restrict beyond, global float *restrict etas,
-                            global Tally *restrict tallies) {
+                            volatile global uint *restrict lost, global Tally *restrict tallies) {
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     Tally tally = {{0u}, {0u}};
@@ -106,7 +109,7 @@ kernel void find_interfaces(SCENE_PARAMS, LIVE_PARAMS, global Ray *restrict rays
                 break;
             }
             Face faces[HIT_LIST_SIZE];
-            cross_faces(faces, faces_of(scene, ray, &list, faces), &inside, &behind);
+            cross_faces(faces, faces_of(scene, ray, &list, faces), &inside, &behind, lost);
             const Medium here = interior_medium(inside, materials), there = interior_medium(behind, materials);
             eta = here.eta / there.eta;
             if (here.entry != there.entry) break;

@@ -23,6 +23,8 @@ public:
     virtual RayCounts counts() const = 0;
     /// Contributions that were not finite, and so were not added.
     virtual std::uint64_t refused() const = 0;
+    /// How often a ray entered a medium when its list of media was full, so that the medium was left out.
+    virtual std::uint64_t media_lost() const = 0;
     /// Bytes that its waves take at most, whatever the picture's size and samples.
     virtual std::size_t wave_bytes() const = 0;
     virtual std::vector<Skipped> skipped() const = 0;

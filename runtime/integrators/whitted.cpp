@@ -32,11 +32,15 @@ struct Interfaces {
         : find(job.device, "kernels/stages/find_interfaces.cl", "find_interfaces", job.on_device.lists()),
           beyond(job.device, std::size_t{job.batch} * job.compiled.interior_size),
           etas(job.device, job.batch),
-          crowded(job.device, job.batch) {}
+          crowded(job.device, job.batch),
+          lost(job.device, 1) {
+        lost.fill_zero();
+    }
     Kernel find;
     Buffer<uint> beyond;  ///< lists of the media behind, as those of rays
     Buffer<float> etas;
     Buffer<std::uint8_t> crowded;
+    Buffer<uint> lost;  ///< media that found no place
     std::size_t bytes() const { return beyond.bytes() + etas.bytes() + crowded.bytes(); }
 };
 
@@ -108,6 +112,7 @@ public:
 
     RayCounts counts() const override { return counter_.read(); }
     std::uint64_t refused() const override { return refused_.read().at(0); }
+    std::uint64_t media_lost() const override { return media_ ? media_->lost.read().at(0) : 0; }
     std::size_t wave_bytes() const override {
         return levels_.bytes_at_most() + hits_.bytes() + points_.bytes() + interfaces_.bytes() + directions_.bytes() + contributions_.bytes() +
                counter_.bytes() + (media_ ? media_->bytes() : 0) + (secondary_ ? secondary_->bytes() : 0) + (shadows_ ? shadows_->bytes() : 0);
@@ -136,7 +141,7 @@ private:
         counter_.add(intersect.work_items(wave.count));
         if (!media_) return;
         media_->find(wave.count, scene_, wave, wave.level.rays, hits_, media_->crowded, wave.level.interiors, media_->beyond, media_->etas,
-                     counter_.tallies());
+                     media_->lost, counter_.tallies());
         counter_.add(media_->find.work_items(wave.count));
     }
 

@@ -409,6 +409,19 @@ TEST(NestedGlass, ManyHiddenInterfacesArePassed) {
     });
 }
 
+/// A ray's list holds eight media; what is entered beyond is left out, and counted.
+TEST(NestedGlass, MediaBeyondEightAreCounted) {
+    for (const uint media : {8u, 10u}) {
+        GlassOverFloor test(3);
+        for (uint m = 0; m < media; ++m) {
+            const float size = 8 - 0.1f * static_cast<float>(m);
+            add_box(test.scene, add_clear(test.scene, 1.5f, 0), {-size, -0.1f * size, -size}, {size, 0.1f * size, size});
+        }
+        const Rendering rendering = render_scene(test.scene);
+        EXPECT_EQ(rendering.media_lost > 0, media > 8) << media;
+    }
+}
+
 /// Two balls of one material that run into each other are one body: rays bend where they enter and leave it, not at the walls inside.
 TEST(NestedGlass, OverlappingBodiesOfOneMaterialHaveNoInnerInterface) {
     GlassOverFloor test(3);  // eye ray, inside, outside

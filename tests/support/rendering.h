@@ -10,7 +10,7 @@ struct Rendering {
     std::vector<FilmPixel> film;
     std::vector<vec3> picture;
     RayCounts counts;
-    std::uint64_t refused;
+    std::uint64_t refused, media_lost;
     uint clamped;
 };
 
