@@ -10,7 +10,7 @@ kernel void generate_camera_rays(Camera camera, BatchParams batch, const global 
         const uint pixel = pixels[entry];
         const uint sample = batch.first_sample + (i - entry * batch.samples);
         const uint px = pixel & 0xffffu, py = pixel >> 16;
-        const vec2 jitter = sampler_pixel_position(pixel, sample, batch.columns, batch.rows, batch.seed);
+        const vec2 jitter = sampler_pixel_position(pixel, sample, batch);
         const bool jittered = (batch.position == PIXEL_RANDOM) | (batch.spp > 1u);
         const float u = jittered ? jitter.x : 0.5f, v = jittered ? jitter.y : 0.5f;
         const bool corner = batch.position == PIXEL_CORNER;

@@ -181,3 +181,34 @@ TEST(SameBits, FilmSumsFitTogether) {
         }
     }
 }
+
+/// The left half of the one pixel is bright. Grids with an even number of columns cut it exactly, so that each half of the samples, alone, must
+/// find 1/2.
+TEST(SameBits, EachHalfOfThePixelsSamplesSeesAllOfThePixel) {
+    Scene scene = scene_of_everything(1, 1, 1);
+    scene.shapes.clear(), scene.lights.clear();
+    scene.background = Spectrum(0), scene.ambient = Spectrum(0);
+    scene.cameras[0].from = {0, 0, 3}, scene.cameras[0].at = {0, 0, 0};
+    Material bright = make_material(Whitted{.exponent = 1});
+    bright.emission = Spectrum(1);
+    add_triangle(scene, add_material(scene, bright), {0, -100, 0}, {0, 100, 0}, {-100, 0, 0});
+    for (const uint spp : {4u, 16u, 64u}) {
+        scene.film.spp = spp;
+        const FilmPixel pixel = render_scene(scene).film.at(0);
+        EXPECT_EQ(pixel.odd[0], std::int64_t{spp} << 30) << spp;
+        EXPECT_EQ(pixel.sum[0], std::int64_t{spp} << 31) << spp;
+    }
+}
+
+TEST(SameBits, HalvesOfAnyNumberOfSamplesAreAsLargeAsTheyCanBe) {
+    for (const uint spp : {1u, 2u, 3u, 5u, 26u}) {
+        Scene scene = scene_of_everything(7, 5, spp);
+        scene.background = Spectrum(1), scene.shapes.clear();
+        const Rendering rendering = render_scene(scene);
+        for (std::size_t i = 0; i < rendering.film.size(); ++i) {
+            ASSERT_EQ(rendering.film[i].count, spp);
+            ASSERT_EQ(rendering.film[i].odd_count, spp / 2);
+            ASSERT_EQ(rendering.picture[i], vec3(1)) << spp;
+        }
+    }
+}
