@@ -64,14 +64,18 @@ typedef struct {
     uint rays[RAY_KINDS], hits[RAY_KINDS];
 } Tally;
 
+/// low + 2^64 high, in two's complement.
+typedef struct {
+    uint64 low, high;
+} Integer128;
+
 /// Radiance of one sample in fixed point: unit 2^-32.
 typedef struct {
-    int64 sum[3];
+    Integer128 sum[3];
 } Sample;
 
-/// A pixel's exact sums; `odd` has the samples of odd number only, squares are 128 bits wide, low half first, in units of 2^-64.
+/// A pixel's exact sums. Those of the samples of even and of odd number are apart: two independent estimates. Squares are in units of 2^-64.
 typedef struct {
-    int64 sum[3], odd[3];
-    uint64 squares[3][2];
-    uint count, odd_count;
+    Integer128 sums[2][3], squares[3];
+    uint counts[2];
 } FilmPixel;

@@ -18,7 +18,7 @@ typedef struct {
     uint spp;                  ///< samples per pixel of the whole render
     uint columns[2], rows[2];  ///< grids of the samples of even and of odd number: columns * rows = how many there are of them, 0 being 1
     uint seed;
-    uint position;             ///< PIXEL_...
+    uint position;  ///< PIXEL_...
 } BatchParams;
 
 typedef struct {

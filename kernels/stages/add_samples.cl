@@ -1,4 +1,5 @@
 // From the samples of a batch to the film.
+#include "kernels/core/integer128.cl"
 #include "kernels/core/items.cl"
 #include "kernels/core/params.h"
 
@@ -10,21 +11,17 @@ kernel void add_samples(BatchParams batch, uint width, const global uint *restri
     FOR_EACH_ITEM_SERIALLY(i, batch.pixels) {
         global FilmPixel *pixel = film + (pixels[i] >> 16) * width + (pixels[i] & 0xffffu);
         for (uint j = 0u; j < batch.samples; ++j) {
-            const bool odd = (batch.first_sample + j & 1u) != 0u;
-            bool cut = false;
+            const uint half_of_sample = batch.first_sample + j & 1u;
+            bool too_bright = false;
             for (uint c = 0u; c < 3u; ++c) {
-                const int64 sum = samples[i * batch.samples + j].sum[c];
-                const int64 value = clamp(sum, -LARGEST_SAMPLE, LARGEST_SAMPLE);
-                cut |= value != sum;
-                pixel->sum[c] += value;
-                pixel->odd[c] += odd ? value : 0l;
-                const uint64 low = (uint64)value * (uint64)value;
-                pixel->squares[c][0] += low;
-                pixel->squares[c][1] += (uint64)mul_hi(value, value) + (pixel->squares[c][0] < low);
+                const Integer128 sum = samples[i * batch.samples + j].sum[c];
+                const int64 value = nearest_within(LARGEST_SAMPLE, sum);
+                too_bright |= !equal(sum, value);
+                add(&pixel->sums[half_of_sample][c], value);
+                add(&pixel->squares[c], (uint64)value * (uint64)value, (uint64)mul_hi(value, value));
             }
-            if (cut) atomic_inc(clamped);
-            pixel->count += 1u;
-            pixel->odd_count += odd;
+            if (too_bright) atomic_inc(clamped);
+            pixel->counts[half_of_sample] += 1u;
         }
     }
 }

@@ -25,6 +25,8 @@ kernel void generate_camera_rays(Camera camera, BatchParams batch, const global 
         path.bsdf_pdf = 0.0f;
         paths[i] = path;
         live[i] = i;
-        samples[i].sum[0] = 0l, samples[i].sum[1] = 0l, samples[i].sum[2] = 0l;
     }
+    // Apart, so that it is one stretch of zeros and not columns of a record.
+    const Sample black = {{{0ul, 0ul}, {0ul, 0ul}, {0ul, 0ul}}};
+    FOR_EACH_ITEM_SERIALLY(i, count) { samples[i] = black; }
 }

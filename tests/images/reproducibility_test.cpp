@@ -167,17 +167,15 @@ TEST(SameBits, FilmSumsFitTogether) {
     const Rendering rendering = render_scene(scene);
     for (std::size_t i = 0; i < rendering.film.size(); ++i) {
         const FilmPixel &pixel = rendering.film[i];
-        ASSERT_EQ(pixel.count, 4u);
-        ASSERT_EQ(pixel.odd_count, 2u);
+        for (const uint half : {0u, 1u}) ASSERT_EQ(pixel.counts[half], 2u);
         for (int c = 0; c < 3; ++c) {
-            ASSERT_EQ(rendering.picture[i][c], static_cast<float>(pixel.sum[c]) * 0x1p-32f / 4) << "develop is the mean";
+            const __int128 whole = sum_of(pixel, static_cast<std::size_t>(c));
+            ASSERT_EQ(rendering.picture[i][c], static_cast<float>(whole) * 0x1p-32f / 4) << "develop is the mean";
             // Cauchy and Schwarz: (sum of 4)² <= 4 times the sum of squares, and the halves are part of the whole.
-            const long double sum = static_cast<long double>(pixel.sum[c]);
-            const long double squares = static_cast<long double>(pixel.squares[c][0]) + static_cast<long double>(pixel.squares[c][1]) * 0x1p64L;
+            const long double sum = static_cast<long double>(whole), squares = static_cast<long double>(value_of(pixel.squares[c]));
             ASSERT_LE(sum * sum, 4 * squares * 1.0000001L) << "pixel " << i;
-            const long double odd = static_cast<long double>(pixel.odd[c]);
             ASSERT_GE(sum * sum * 1.0000001L, squares) << "radiance is not negative";
-            ASSERT_TRUE(odd >= 0 && odd <= sum);
+            for (const uint half : {0u, 1u}) ASSERT_GE(value_of(pixel.sums[half][c]), 0);
         }
     }
 }
@@ -195,8 +193,7 @@ TEST(SameBits, EachHalfOfThePixelsSamplesSeesAllOfThePixel) {
     for (const uint spp : {4u, 16u, 64u}) {
         scene.film.spp = spp;
         const FilmPixel pixel = render_scene(scene).film.at(0);
-        EXPECT_EQ(pixel.odd[0], std::int64_t{spp} << 30) << spp;
-        EXPECT_EQ(pixel.sum[0], std::int64_t{spp} << 31) << spp;
+        for (const uint half : {0u, 1u}) EXPECT_TRUE(value_of(pixel.sums[half][0]) == std::int64_t{spp} << 30) << spp;
     }
 }
 
@@ -206,8 +203,8 @@ TEST(SameBits, HalvesOfAnyNumberOfSamplesAreAsLargeAsTheyCanBe) {
         scene.background = Spectrum(1), scene.shapes.clear();
         const Rendering rendering = render_scene(scene);
         for (std::size_t i = 0; i < rendering.film.size(); ++i) {
-            ASSERT_EQ(rendering.film[i].count, spp);
-            ASSERT_EQ(rendering.film[i].odd_count, spp / 2);
+            ASSERT_EQ(rendering.film[i].counts[0], spp - spp / 2);
+            ASSERT_EQ(rendering.film[i].counts[1], spp / 2);
             ASSERT_EQ(rendering.picture[i], vec3(1)) << spp;
         }
     }

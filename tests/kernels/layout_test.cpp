@@ -66,7 +66,8 @@ const Layouts &host_layouts() {
         RECORD(SurfaceInterface, beyond, geometric, eta),
         RECORD(Tally, rays, hits),
         RECORD(Sample, sum),
-        RECORD(FilmPixel, sum, odd, squares, count, odd_count),
+        RECORD(Integer128, low, high),
+        RECORD(FilmPixel, sums, squares, counts),
         RECORD(Camera, position, corner, right, down, width, height),
         RECORD(BatchParams, pixels, first_sample, samples, spp, columns, rows, seed, position),
         RECORD(WhittedParams, max_depth, max_passes, threshold),
@@ -185,7 +186,7 @@ TEST(Layout, WhatTravelsHasItsPromisedSize) {
     EXPECT_EQ(sizeof(Light), 64u);
     EXPECT_EQ(sizeof(BvhNode), 256u);
     EXPECT_EQ(sizeof(vec3), 12u);
-    EXPECT_EQ(sizeof(Sample), 24u);
+    EXPECT_EQ(sizeof(Sample), 48u);
 }
 
 TEST(Layout, MembersAreFoundInDeclarations) {
