@@ -21,6 +21,12 @@ typedef struct {
     uint position;  ///< PIXEL_...
 } BatchParams;
 
+/// Whole rows of the film that lie in one buffer.
+typedef struct {
+    uint first_row, rows;
+    uint width;  ///< pixels in a row
+} FilmBand;
+
 typedef struct {
     uint max_depth;   ///< rays in a chain, the eye ray being 1
     uint max_passes;  ///< hidden interfaces that a chain may pass beyond max_depth

@@ -5,11 +5,13 @@
 
 #define LARGEST_SAMPLE (1l << 48)  ///< 2^16
 
-/// Adds the batch's samples to their pixels, one work-item a pixel; clamped[0] counts the samples that were cut at ±2^16.
-kernel void add_samples(BatchParams batch, uint width, const global uint *restrict pixels, const global Sample *restrict samples,
+/// Adds the batch's samples to their pixels, as far as these are in the band; clamped[0] counts the samples that were cut at ±2^16.
+kernel void add_samples(BatchParams batch, FilmBand band, const global uint *restrict pixels, const global Sample *restrict samples,
                         global FilmPixel *restrict film, global uint *restrict clamped) {
     FOR_EACH_ITEM_SERIALLY(i, batch.pixels) {
-        global FilmPixel *pixel = film + (pixels[i] >> 16) * width + (pixels[i] & 0xffffu);
+        const uint row = (pixels[i] >> 16) - band.first_row;  // above the band it wraps around
+        if (row >= band.rows) continue;
+        global FilmPixel *pixel = film + row * band.width + (pixels[i] & 0xffffu);
         for (uint j = 0u; j < batch.samples; ++j) {
             const uint half_of_sample = batch.first_sample + j & 1u;
             bool too_bright = false;

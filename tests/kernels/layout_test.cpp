@@ -70,6 +70,7 @@ const Layouts &host_layouts() {
         RECORD(FilmPixel, sums, squares, counts),
         RECORD(Camera, position, corner, right, down, width, height),
         RECORD(BatchParams, pixels, first_sample, samples, spp, columns, rows, seed, position),
+        RECORD(FilmBand, first_row, rows, width),
         RECORD(WhittedParams, max_depth, max_passes, threshold),
         RECORD(Span, offset, count),
         RECORD(ShadingRecord, kind, material, words),

@@ -172,6 +172,33 @@ TEST(Film, TheOrderOfBatchesAndPixelsDoesNotShow) {
     EXPECT_EQ(std::memcmp(left.data(), right.data(), left.size() * sizeof(FilmPixel)), 0);
 }
 
+/// Bands of every number of rows, the last one shorter; batches reach over several.
+TEST(Film, InBandsIsTheSame) {
+    std::vector<Expected> expected(width * height);
+    const std::vector<uint> all = all_pixels(), some(all.begin() + 5, all.begin() + 200);
+    const Part first = random_part(8, 0, 5, all), second = random_part(9, 5, 2, some);
+    add(expected, first), add(expected, second);
+    Film whole(test_device(), width, height);
+    add(whole, first), add(whole, second);
+    const std::vector<vec3> picture = whole.develop();
+    for (const std::size_t rows : {0u, 1u, 2u, 4u, 10u, 11u, 100u}) {
+        Film film(test_device(), width, height, (rows * width + width / 2) * sizeof(FilmPixel));
+        add(film, first), add(film, second);
+        expect_equal(film, expected);
+        EXPECT_EQ(film.develop(), picture) << rows;
+        EXPECT_LE(film.bytes(), whole.bytes());
+    }
+}
+
+TEST(Film, LargerThanTheDevicesMemoryIsRefusedWithTheSizes) {
+    try {
+        Film(test_device(), 65535, 65535);
+        ADD_FAILURE() << "not refused";
+    } catch (const Error &error) {
+        EXPECT_NE(std::string(error.what()).find("a film of 65535 x 65535 pixels takes 671"), std::string::npos) << error.what();
+    }
+}
+
 TEST(Film, DevelopGivesTheMeanAndBlackWithoutSamples) {
     Film film(test_device(), width, height);
     std::vector<Expected> expected(width * height);
