@@ -10,8 +10,12 @@
 namespace brandung {
 namespace {
 
-/// Samples of one pixel that one batch takes: few, so that an interrupted picture is whole, if noisier.
-constexpr uint samples_at_once = 16;
+/// Samples of one pixel that one batch takes: few, so that an interrupted picture is whole, if noisier, but more where the whole picture is in
+/// every batch anyway.
+uint samples_at_once(const FilmSettings &film, uint batch) {
+    const std::uint64_t few = 16, pixels = std::uint64_t{film.width} * film.height;
+    return static_cast<uint>(std::min<std::uint64_t>({film.spp, batch, std::max(few, batch / pixels)}));
+}
 
 /// The divisor nearest below the root: a grid of so many samples has that many rows.
 uint rows_of_grid(uint samples) {
@@ -79,7 +83,7 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
       options_(std::move(options)),
       camera_(make_camera(camera, film_settings_.width, film_settings_.height)),
       interior_(media_of_eye(scene, compiled, camera)),
-      samples_per_batch_(std::min({film_settings_.spp, samples_at_once, options_.batch})),
+      samples_per_batch_(samples_at_once(film_settings_, options_.batch)),
       integrator_(make_integrator({device, scene, compiled, on_device, options_.batch})),
       pixels_(device, options_.batch / samples_per_batch_),
       samples_(device, options_.batch) {}
