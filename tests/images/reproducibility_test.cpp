@@ -25,9 +25,9 @@ Scene scene_of_everything(uint width, uint height, uint spp) {
     Material shiny = make_material(
         Whitted{.ambient = Spectrum(0.3f), .diffuse = {0.6f, 0.3f, 0.1f}, .specular = Spectrum(0.4f), .reflection = Spectrum(0.3f), .exponent = 30});
     const uint matte_one = add_material(scene, matte(0.7f)), glass_one = add_material(scene, glass(1.5f)), shiny_one = add_material(scene, shiny);
-    add_soup(scene, matte_one, {.spheres = 30, .triangles = 60, .smooth_triangles = 60, .frusta = 40, .size = 0.3f, .seed = 1});
-    add_soup(scene, glass_one, {.spheres = 10, .triangles = 10, .smooth_triangles = 10, .frusta = 10, .size = 0.5f, .seed = 2});
-    add_soup(scene, shiny_one, {.spheres = 20, .triangles = 40, .smooth_triangles = 40, .frusta = 30, .size = 0.4f, .seed = 3});
+    add_soup(scene, matte_one, {.of_each = 48, .size = 0.3f, .seed = 1});
+    add_soup(scene, glass_one, {.of_each = 10, .size = 0.5f, .seed = 2});
+    add_soup(scene, shiny_one, {.of_each = 33, .size = 0.4f, .seed = 3});
     scene.lights.push_back(point_light({2, 3, 2}, {9, 8, 7}));
     scene.lights.push_back(directional_light({-1, 1, 0.5f}, {0.5f, 0.6f, 0.9f}));
     return scene;

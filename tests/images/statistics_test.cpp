@@ -48,9 +48,9 @@ struct Profiled {
 
 Scene soup(bool with_mirrors, bool with_glass) {
     Scene scene = scene_seen_from({0, 0, 4}, {0, 0, 0}, 40, 50);
-    add_soup(scene, add_material(scene, matte(0.5f)), {.spheres = 20, .triangles = 40, .smooth_triangles = 20, .frusta = 20, .size = 0.4f});
-    if (with_mirrors) add_soup(scene, add_material(scene, mirror(0.5f)), {.spheres = 20, .size = 0.4f, .seed = 2});
-    if (with_glass) add_soup(scene, add_material(scene, glass(1.5f)), {.spheres = 20, .size = 0.4f, .seed = 3});
+    add_soup(scene, add_material(scene, matte(0.5f)), {.of_each = 25, .size = 0.4f});
+    if (with_mirrors) add_soup(scene, add_material(scene, mirror(0.5f)), {.counts = {{"sphere", 20}}, .size = 0.4f, .seed = 2});
+    if (with_glass) add_soup(scene, add_material(scene, glass(1.5f)), {.counts = {{"sphere", 20}}, .size = 0.4f, .seed = 3});
     scene.lights = {point_light({2, 2, 2}, Spectrum(1)), point_light({-2, 2, 2}, Spectrum(1)), directional_light({0, 1, 0}, Spectrum(1))};
     return scene;
 }
@@ -78,9 +78,11 @@ TEST(Counts, OfTracingStagesAreThoseOfTheHitsReadBack) {
         expect_tally(traced.closest_hits(rays));
         expect_tally(traced.closest_hits_of_packets(rays));
 
-        const std::vector<std::uint8_t> visible = traced.visible(rays);
-        EXPECT_EQ(traced.tally().rays[RAY_SHADOW], rays.size());
-        EXPECT_EQ(traced.tally().hits[RAY_SHADOW], std::count(visible.begin(), visible.end(), 0));
+        for (const char *stage : shadow_stages) {
+            const std::vector<std::uint8_t> visible = traced.visible(stage, rays);
+            EXPECT_EQ(traced.tally().rays[RAY_SHADOW], rays.size()) << stage;
+            EXPECT_EQ(traced.tally().hits[RAY_SHADOW], std::count(visible.begin(), visible.end(), 0)) << stage;
+        }
     }
 }
 

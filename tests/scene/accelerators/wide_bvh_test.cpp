@@ -202,7 +202,7 @@ TEST_P(WideBvhOfCase, ChildrenAreSortedByTheNumberOfPrimitivesLargestFirst) {
     }
 }
 
-TEST_P(WideBvhOfCase, TheTraversalsStackIsDeepEnough) { EXPECT_LE(stack_entries(0), 128u); }
+TEST_P(WideBvhOfCase, TheTraversalsStackIsDeepEnough) { EXPECT_LE(stack_entries(0), BVH_PENDING); }
 
 TEST_P(WideBvhOfCase, TheNumberOfThreadsDoesNotShow) {
     for (const size_t threads : {1, 2}) {
