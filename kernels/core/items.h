@@ -25,13 +25,12 @@ typedef struct {
     uint primitive;
 } Hit;
 
-/// State of a Whitted or path-traced ray; 32 bytes.
+/// State of a ray between eye and lights; 28 bytes.
 typedef struct {
     Spectrum throughput;  ///< what its radiance counts in its sample
     uint slot;            ///< its sample: an entry of the running batch
     uint branch;          ///< hash of the way from the eye to here, for random numbers
     uint depth;           ///< 1 for rays from the eye
-    float bsdf_pdf;       ///< [1/sr]; 0: no other strategy could have made this ray
     uint passes;          ///< interfaces passed that a medium of higher priority hides
 } Path;
 

@@ -22,8 +22,7 @@ FUNCTION Hit load(const global Hit *p) {
 FUNCTION Path load(const global Path *p) {
     Path path;
     path.throughput = load(&p->throughput);
-    path.slot = p->slot, path.branch = p->branch, path.depth = p->depth;
-    path.bsdf_pdf = p->bsdf_pdf, path.passes = p->passes;
+    path.slot = p->slot, path.branch = p->branch, path.depth = p->depth, path.passes = p->passes;
     return path;
 }
 

@@ -22,7 +22,6 @@ kernel void generate_camera_rays(Camera camera, BatchParams batch, const global 
         path.throughput = make3(1.0f, 1.0f, 1.0f);
         path.slot = i, path.depth = 1u, path.passes = 0u;
         path.branch = hash(pixel ^ hash(sample ^ hash(batch.seed + 1u)));
-        path.bsdf_pdf = 0.0f;
         paths[i] = path;
         live[i] = i;
     }

@@ -61,7 +61,7 @@ const Layouts &host_layouts() {
         RECORD(vec3, x, y, z),
         RECORD(Ray, origin, t_max, direction, kind),
         RECORD(Hit, t, u, v, primitive),
-        RECORD(Path, throughput, slot, branch, depth, bsdf_pdf, passes),
+        RECORD(Path, throughput, slot, branch, depth, passes),
         RECORD(SurfacePoint, origin, material, normal, flags),
         RECORD(SurfaceInterface, beyond, geometric, eta),
         RECORD(Tally, rays, hits),
@@ -83,7 +83,7 @@ const Layouts &host_layouts() {
         RECORD(Split, reflected, refracted),
         RECORD(PointLight, position, intensity, attenuation),
         RECORD(DirectionalLight, direction, irradiance),
-        RECORD(LightSample, direction, distance, irradiance, pdf),
+        RECORD(LightSample, direction, distance, irradiance),
         RECORD(Surface, p, error, geometric, normal),
         RECORD(SphereBlock, primitive, x, y, z, radius),
         RECORD(SphereShading, center, radius),
@@ -180,7 +180,7 @@ TEST(Layout, RecordsAreTheSameInBothLanguages) {
 TEST(Layout, WhatTravelsHasItsPromisedSize) {
     EXPECT_EQ(sizeof(Ray), 32u);
     EXPECT_EQ(sizeof(Hit), 16u);
-    EXPECT_EQ(sizeof(Path), 32u);
+    EXPECT_EQ(sizeof(Path), 28u);
     EXPECT_EQ(sizeof(SurfacePoint), 32u);
     EXPECT_EQ(sizeof(ShadingRecord), 64u);
     EXPECT_EQ(sizeof(Material), 128u);
