@@ -10,14 +10,31 @@
 namespace brandung {
 namespace {
 
-/// Samples of one pixel that one batch takes: few, so that an interrupted picture is whole, if noisier.
-constexpr uint samples_at_once = 16;
+/// Samples of one pixel that one batch takes: few, so that an interrupted picture is whole, if noisier, but more where the whole picture is in
+/// every batch anyway.
+uint samples_at_once(const FilmSettings &film, uint batch) {
+    const std::uint64_t few = 16, pixels = std::uint64_t{film.width} * film.height;
+    return static_cast<uint>(std::min<std::uint64_t>({film.spp, batch, std::max(few, batch / pixels)}));
+}
 
-/// The divisor of spp nearest below its root: the samples' grid has that many rows.
-uint rows_of_grid(uint spp) {
-    uint rows = static_cast<uint>(std::sqrt(static_cast<double>(spp)));
-    while (spp % rows != 0) --rows;
+/// The divisor nearest below the root: a grid of so many samples has that many rows.
+uint rows_of_grid(uint samples) {
+    uint rows = static_cast<uint>(std::sqrt(static_cast<double>(samples)));
+    while (samples % rows != 0) --rows;
     return rows;
+}
+
+/// What all batches have in common.
+BatchParams common_params(const FilmSettings &film) {
+    const uint even = film.spp - film.spp / 2, odd = std::max(film.spp / 2, 1u), even_rows = rows_of_grid(even), odd_rows = rows_of_grid(odd);
+    return {.pixels = 0,
+            .first_sample = 0,
+            .samples = 0,
+            .spp = film.spp,
+            .columns = {even / even_rows, odd / odd_rows},
+            .rows = {even_rows, odd_rows},
+            .seed = film.seed,
+            .position = film.pixel};
 }
 
 FilmSettings checked(const Scene &scene) {
@@ -66,7 +83,7 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
       options_(std::move(options)),
       camera_(make_camera(camera, film_settings_.width, film_settings_.height)),
       interior_(media_of_eye(scene, compiled, camera)),
-      samples_per_batch_(std::min({film_settings_.spp, samples_at_once, options_.batch})),
+      samples_per_batch_(samples_at_once(film_settings_, options_.batch)),
       integrator_(make_integrator({device, scene, compiled, on_device, options_.batch})),
       pixels_(device, options_.batch / samples_per_batch_),
       samples_(device, options_.batch) {}
@@ -86,19 +103,15 @@ RenderEnd Renderer::render(Film &film) {
 /// False if stopped before the end.
 bool Renderer::render_batches(Film &film, RenderProgress &progress) {
     const auto start = std::chrono::steady_clock::now();
-    const uint spp = film_settings_.spp, rows = rows_of_grid(spp);
+    const uint spp = film_settings_.spp;
+    BatchParams params = common_params(film_settings_);
     for (uint first = 0; first < spp; first += samples_per_batch_) {
         PixelOrder order(film.width(), film.height());
         for (auto pixels = order.next(pixels_.size()); !pixels.empty(); pixels = order.next(pixels_.size())) {
             pixels_.write(pixels);
-            const BatchParams params{.pixels = static_cast<uint>(pixels.size()),
-                                     .first_sample = first,
-                                     .samples = std::min(samples_per_batch_, spp - first),
-                                     .spp = spp,
-                                     .columns = spp / rows,
-                                     .rows = rows,
-                                     .seed = film_settings_.seed,
-                                     .position = film_settings_.pixel};
+            params.pixels = static_cast<uint>(pixels.size());
+            params.first_sample = first;
+            params.samples = std::min(samples_per_batch_, spp - first);
             const Batch batch{params, pixels_, camera_, interior_};
             integrator_->render(batch, samples_);
             film.add(batch, samples_);

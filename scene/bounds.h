@@ -13,11 +13,6 @@ struct Bounds {
     void add(vec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
     void add(const Bounds &other) { low = glm::min(low, other.low), high = glm::max(high, other.high); }
     bool empty() const { return low.x > high.x; }
-    /// Half the surface area, 0 if empty.
-    float half_area() const {
-        const vec3 d = high - low;
-        return empty() ? 0.0f : d.x * d.y + d.y * d.z + d.z * d.x;
-    }
 };
 
 }  // namespace brandung

@@ -185,10 +185,6 @@ uint Parameters::choice(const std::string &name, const std::vector<std::string> 
     });
 }
 
-std::vector<float> Parameters::numbers(const std::string &name) const {
-    return read_or(name, std::optional(std::vector<float>()), [](const json &value) { return read_elements(value, read_number); });
-}
-
 std::vector<uint> Parameters::integers(const std::string &name) const {
     const auto read_any = [](const json &value) { return read_integer(value, 0, 0xffffffffu); };
     return read_or(name, std::optional(std::vector<uint>()), [&](const json &value) { return read_elements(value, read_any); });

@@ -35,7 +35,6 @@ public:
     Spectrum spectrum(const std::string &name, std::optional<Spectrum> fallback = {}) const;
 
     // Arrays; empty if absent.
-    std::vector<float> numbers(const std::string &name) const;
     std::vector<uint> integers(const std::string &name) const;
     std::vector<std::string> texts(const std::string &name) const;
     std::vector<vec2> pairs(const std::string &name) const;    ///< an array of arrays of two numbers

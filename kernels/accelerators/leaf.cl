@@ -46,7 +46,8 @@ typedef struct {
     float next, margin;  ///< t of the second hit, if it is at most `margin` behind; else anything beyond
 } Nearest;
 
-/// Distance within which coincident faces are met even at grazing angles; 0 in scenes without transparent materials.
+/// Distance within which coincident faces are met even at grazing angles, where rounding of a plane shifts t the more; find_interfaces decides by
+/// the faces' errors what does coincide. 0 in scenes without transparent materials.
 FUNCTION float crowd_margin(vec3 origin, vec3 direction, float extent) {
     return INTERIOR_SIZE > 0u ? 0x1p-14f * (largest(absolute(origin)) + extent) / largest(absolute(direction)) : 0.0f;
 }

@@ -46,7 +46,7 @@ FUNCTION Spectrum phong_local(Phong phong, vec3 normal, vec3 wo, vec3 wi) {
         const float mirrored = maximum(2.0f * cosine * dot3(normal, wo) - dot3(wi, wo), 0.0f);
         value = plus(value, scaled(phong.specular, power(minimum(mirrored, 1.0f), phong.exponent)));
     }
-    return where(cosine > 0.0f, scaled(value, 0.318309886f), make3(0.0f, 0.0f, 0.0f));
+    return where(cosine > 0.0f, scaled(value, INVERSE_PI), make3(0.0f, 0.0f, 0.0f));
 }
 
 /// At an interface met at `cosine`; `total`: the material transmits, but there is total internal reflection.

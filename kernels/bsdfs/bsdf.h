@@ -2,6 +2,8 @@
 #pragma once
 #include "kernels/core/portable.h"
 
+#define INVERSE_PI 0.318309886f
+
 /// How an ideal interface divides the light: weights of the mirrored and of the refracted ray.
 typedef struct {
     Spectrum reflected, refracted;

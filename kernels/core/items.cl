@@ -5,7 +5,7 @@
 #ifdef CPU
 // PoCL says so of loops that a later pass does vectorise.
 #pragma clang diagnostic ignored "-Wpass-failed"
-#define ITEMS_PER_WORK_ITEM 64u
+#define ITEMS_PER_WORK_ITEM ITEMS_PER_CHUNK
 /// One chunk of items that the compiler makes 16 wide. The body must be flat, and no two items of a chunk may write one address.
 #define FOR_EACH_ITEM(i, count)                                            \
     const uint first_item_ = get_global_id(0) * ITEMS_PER_WORK_ITEM;       \

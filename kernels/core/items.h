@@ -31,13 +31,12 @@ typedef struct {
     uint primitive;
 } Hit;
 
-/// State of a Whitted or path-traced ray; 28 bytes.
+/// State of a ray between eye and lights; 24 bytes.
 typedef struct {
     Spectrum throughput;  ///< what its radiance counts in its sample
     uint slot;            ///< its sample: an entry of the running batch
     uint branch;          ///< hash of the way from the eye to here, for random numbers
     uint depth;           ///< 1 for rays from the eye
-    float bsdf_pdf;       ///< [1/sr]; 0: no other strategy could have made this ray
 } Path;
 
 #define SURFACE_HIT 1u         ///< the ray hit something
@@ -69,14 +68,18 @@ typedef struct {
     uint rays[RAY_KINDS], hits[RAY_KINDS];
 } Tally;
 
+/// low + 2^64 high, in two's complement.
+typedef struct {
+    uint64 low, high;
+} Integer128;
+
 /// Radiance of one sample in fixed point: unit 2^-32.
 typedef struct {
-    int64 sum[3];
+    Integer128 sum[3];
 } Sample;
 
-/// A pixel's exact sums; `odd` has the samples of odd number only, squares are 128 bits wide, low half first, in units of 2^-64.
+/// A pixel's exact sums. Those of the samples of even and of odd number are apart: two independent estimates. Squares are in units of 2^-64.
 typedef struct {
-    int64 sum[3], odd[3];
-    uint64 squares[3][2];
-    uint count, odd_count;
+    Integer128 sums[2][3], squares[3];
+    uint counts[2];
 } FilmPixel;

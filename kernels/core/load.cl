@@ -23,7 +23,6 @@ FUNCTION Path load(const global Path *p) {
     Path path;
     path.throughput = load(&p->throughput);
     path.slot = p->slot, path.branch = p->branch, path.depth = p->depth;
-    path.bsdf_pdf = p->bsdf_pdf;
     return path;
 }
 

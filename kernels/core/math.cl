@@ -4,8 +4,6 @@
 #pragma once
 #include "kernels/core/lanes_1.cl"
 
-FUNCTION float square(float x) { return x * x; }
-
 /// The least float above x (IEEE 754 nextUp): above -0 lies the least subnormal; infinity stays.
 FUNCTION float next_up(float x) {
     const uint bits = as_uint(x) == 0x80000000u ? 0u : as_uint(x), next = bits < 0x80000000u ? bits + 1u : bits - 1u;

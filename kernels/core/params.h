@@ -15,11 +15,17 @@ typedef struct {
 /// Which samples of which pixels a batch holds: slot = pixel in batch × samples + sample - first_sample.
 typedef struct {
     uint pixels, first_sample, samples;
-    uint spp;            ///< samples per pixel of the whole render
-    uint columns, rows;  ///< their grid: columns * rows = spp
+    uint spp;                  ///< samples per pixel of the whole render
+    uint columns[2], rows[2];  ///< grids of the samples of even and of odd number: columns * rows = how many there are of them, 0 being 1
     uint seed;
     uint position;  ///< PIXEL_...
 } BatchParams;
+
+/// Whole rows of the film that lie in one buffer.
+typedef struct {
+    uint first_row, rows;
+    uint width;  ///< pixels in a row
+} FilmBand;
 
 typedef struct {
     uint max_depth;   ///< rays in a chain, the eye ray being 1

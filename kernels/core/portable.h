@@ -30,5 +30,8 @@ typedef struct {
 #endif
 #endif
 
+/// Items that one work-item of a stage handles on a CPU; elsewhere it is one.
+#define ITEMS_PER_CHUNK 64u
+
 /// Radiance [W/(m² sr)], reflectance or throughput: linear Rec. 709 red, green, blue.
 typedef vec3 Spectrum;

@@ -10,6 +10,5 @@ FUNCTION LightSample directional_sample(Light l, vec3 p) {
     sample.direction = make3(as_float(l.words[0]), as_float(l.words[1]), as_float(l.words[2]));
     sample.distance = INFINITY;
     sample.irradiance = make3(as_float(l.words[3]), as_float(l.words[4]), as_float(l.words[5]));
-    sample.pdf = 1.0f;
     return sample;
 }

@@ -6,5 +6,4 @@ typedef struct {
     vec3 direction;       ///< from the point towards the light, unit length
     float distance;       ///< to the light, infinite for directional ones
     Spectrum irradiance;  ///< on a surface at the point that faces the light [W/m²]
-    float pdf;            ///< delta lights: the probability of having chosen the light
 } LightSample;

@@ -22,6 +22,5 @@ FUNCTION LightSample point_sample(Light l, vec3 p) {
     sample.direction = scaled(way, 1.0f / distance);
     sample.distance = distance;
     sample.irradiance = scaled(light.intensity, 1.0f / attenuation);
-    sample.pdf = 1.0f;
     return sample;
 }

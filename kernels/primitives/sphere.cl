@@ -27,6 +27,7 @@ FUNCTION Surface sphere_surface(Scene scene, const global ShadingRecord *record,
     surface.normal = surface.geometric;
     const vec3 p = plus(sphere.center, scaled(surface.geometric, radius));
     surface.p = minus(p, scaled(surface.geometric, sphere_surface_offset(sphere.center, radius, p) / (2.0f * radius)));
+    // The difference's own rounding; and of the first point's error, 2^-21 of its terms, the correction leaves 2^-21, the offset's rounding less.
     surface.error = plus(scaled(absolute(surface.p), 0x1p-22f), scaled(plus(absolute(sphere.center), make3(radius, radius, radius)), 0x1p-38f));
     return surface;
 }

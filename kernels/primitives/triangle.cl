@@ -30,6 +30,7 @@ FUNCTION Surface triangle_surface(Scene scene, const global ShadingRecord *recor
     Surface surface;
     surface.geometric = unit(n1);
     surface.p = minus(mean, scaled(n1, offset / dot3(n, n1)));
+    // The difference's own rounding; and of the mean's error, 2^-21 of its terms, the correction leaves 2^-21, the offset's rounding less.
     surface.error = plus(scaled(absolute(surface.p), 0x1p-22f), scaled(plus(absolute(a), plus(absolute(b), absolute(c))), 0x1p-38f));
     surface.normal = surface.geometric;
     return surface;

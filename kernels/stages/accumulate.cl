@@ -1,19 +1,20 @@
 // Sums of contributions in their samples, in fixed point: the order does not matter.
+#pragma OPENCL EXTENSION cl_khr_int64_base_atomics : enable
 #include "generated/constants.h"
+#include "kernels/core/integer128.cl"
 #include "kernels/core/items.cl"
 #include "kernels/core/lanes_1.cl"
 #include "kernels/core/scene.cl"
-#pragma OPENCL EXTENSION cl_khr_int64_base_atomics : enable
 
-/// In units of 2^-32, to the nearest. Magnitudes are cut at 2^17, so that no sample's sum can wrap; add_samples cuts, and counts, beyond 2^16.
+/// In units of 2^-32, to the nearest. Magnitudes are cut at 2^17: an int64 holds them, and add_samples cuts, and counts, beyond 2^16.
 FUNCTION int64 fixed_point(float x) { return (int64)rint(minimum(maximum(x, -0x1p17f), 0x1p17f) * 0x1p32f); }
 
 /// Two items may have one sample only where rays branch.
-FUNCTION void add(global int64 *sum, int64 value) {
+FUNCTION void add_contribution(global Integer128 *sum, float contribution) {
     if (BRANCHING > 1u) {
-        atom_add(sum, value);
+        add_atomically(sum, fixed_point(contribution));
     } else {
-        *sum += value;
+        add(sum, fixed_point(contribution));
     }
 }
 
@@ -27,8 +28,8 @@ kernel void accumulate(LIVE_PARAMS, const global Path *restrict paths, const glo
             continue;
         }
         global Sample *sample = samples + paths[live[first + i]].slot;
-        add(&sample->sum[0], fixed_point(c.x));
-        add(&sample->sum[1], fixed_point(c.y));
-        add(&sample->sum[2], fixed_point(c.z));
+        add_contribution(&sample->sum[0], c.x);
+        add_contribution(&sample->sum[1], c.y);
+        add_contribution(&sample->sum[2], c.z);
     }
 }

@@ -1,7 +1,6 @@
 // Stable lists of the live ones among slots, in rows: count per chunk, scan the counts, write. No atomics.
 #include "kernels/core/portable.h"
-
-#define COMPACT_CHUNK 256u
+#include "kernels/stages/compact.h"
 
 /// Work-items (chunk, row): chunk_counts[row * chunks + chunk] = live ones among the chunk's slots of alive[row * stride ...].
 kernel void count_live(const global uchar *restrict alive, uint stride, uint count, global uint *restrict chunk_counts) {

@@ -1,11 +1,14 @@
 // From exact sums to a picture.
+#include "kernels/core/integer128.cl"
 #include "kernels/core/items.cl"
 #include "kernels/core/lanes_1.cl"
+
+FUNCTION float sum_of_halves(const global FilmPixel *pixel, uint c) { return to_float(plus(pixel->sums[0][c], pixel->sums[1][c])); }
 
 /// picture[i] is the mean radiance of pixel i, row by row from the top; black where there is no sample.
 kernel void develop(uint count, const global FilmPixel *restrict film, global Spectrum *restrict picture) {
     FOR_EACH_ITEM(i, count) {
-        const float scale = 0x1p-32f / (float)(int)max(film[i].count, 1u);
-        picture[i] = make3((float)film[i].sum[0] * scale, (float)film[i].sum[1] * scale, (float)film[i].sum[2] * scale);
+        const float scale = 0x1p-32f / (float)(int)max(film[i].counts[0] + film[i].counts[1], 1u);
+        picture[i] = make3(sum_of_halves(film + i, 0u) * scale, sum_of_halves(film + i, 1u) * scale, sum_of_halves(film + i, 2u) * scale);
     }
 }

@@ -10,7 +10,7 @@ kernel void generate_camera_rays(Camera camera, BatchParams batch, const global 
         const uint pixel = pixels[entry];
         const uint sample = batch.first_sample + (i - entry * batch.samples);
         const uint px = pixel & 0xffffu, py = pixel >> 16;
-        const vec2 jitter = sampler_pixel_position(pixel, sample, batch.columns, batch.rows, batch.seed);
+        const vec2 jitter = sampler_pixel_position(pixel, sample, batch);
         const bool jittered = (batch.position == PIXEL_RANDOM) | (batch.spp > 1u);
         const float u = jittered ? jitter.x : 0.5f, v = jittered ? jitter.y : 0.5f;
         const bool corner = batch.position == PIXEL_CORNER;
@@ -22,9 +22,10 @@ kernel void generate_camera_rays(Camera camera, BatchParams batch, const global 
         path.throughput = make3(1.0f, 1.0f, 1.0f);
         path.slot = i, path.depth = 1u;
         path.branch = hash(pixel ^ hash(sample ^ hash(batch.seed + 1u)));
-        path.bsdf_pdf = 0.0f;
         paths[i] = path;
         live[i] = i;
-        samples[i].sum[0] = 0l, samples[i].sum[1] = 0l, samples[i].sum[2] = 0l;
     }
+    // Apart, so that it is one stretch of zeros and not columns of a record.
+    const Sample black = {{{0ul, 0ul}, {0ul, 0ul}, {0ul, 0ul}}};
+    FOR_EACH_ITEM_SERIALLY(i, count) { samples[i] = black; }
 }

@@ -167,7 +167,7 @@ private:
         const uint count = wave.count;
         shadows.spawn(Grid(count, rows), scene_, light, shadows.stride, count, points_, interfaces_, shadows.rays, shadows.visible);
         shadows.compact(shadows.visible, shadows.stride, count, rows, 0, 0, shadows.live);
-        // Shadow rays from the first reflections are scattered already: one by one they took 39 ms against 50 in rings_s7.
+        // Shadow rays from the first reflections are scattered already: one by one they are faster.
         Kernel &trace = wave.generation == 0 ? shadows.trace_packets : shadows.trace_singly;
         trace(Grid(count, rows), scene_, shadows.live, shadows.compact.counts(), shadows.stride, shadows.rays, shadows.visible, counter_.tallies());
         counter_.add(trace.work_items(count) * rows);

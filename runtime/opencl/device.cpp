@@ -130,7 +130,7 @@ Device::Device(Device &&) noexcept = default;
 Device::~Device() = default;
 
 const DeviceInfo &Device::info() const { return implementation_->info; }
-uint Device::items_per_work_item() const { return implementation_->info.cpu ? 64 : 1; }
+uint Device::items_per_work_item() const { return implementation_->info.cpu ? ITEMS_PER_CHUNK : 1; }
 const Profile &Device::profile() const { return implementation_->profile; }
 const std::set<std::string> &Device::kernels() const { return implementation_->kernels; }
 double Device::build_seconds() const { return implementation_->build_seconds; }

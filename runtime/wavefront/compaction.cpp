@@ -1,17 +1,18 @@
 #include "runtime/wavefront/compaction.h"
 
+#include "kernels/stages/compact.h"
+
 namespace brandung {
 namespace {
 
 constexpr const char *file = "kernels/stages/compact.cl";
-constexpr uint chunk_size = 256;  ///< COMPACT_CHUNK
 
 }  // namespace
 
 Compaction::Compaction(Device &device, std::size_t slots_per_row, std::size_t rows)
-    : count_live_(device, file, "count_live", {}, chunk_size),
+    : count_live_(device, file, "count_live", {}, COMPACT_CHUNK),
       scan_counts_(device, file, "scan_counts", {}, 1),
-      write_live_(device, file, "write_live", {}, chunk_size),
+      write_live_(device, file, "write_live", {}, COMPACT_CHUNK),
       chunk_counts_(device, count_live_.work_items(slots_per_row) * rows),
       counts_(device, rows) {}
 

@@ -21,14 +21,10 @@ const AcceleratorKind &find_accelerator(const std::string &name) {
     const std::vector<AcceleratorKind> &kinds = accelerator_kinds();
     std::string known = "auto";
     for (const AcceleratorKind &kind : kinds) {
-        if (name == kind.name) {
-            return kind;
-        }
+        if (name == kind.name) return kind;
         known += fmt::format(", {}", kind.name);
     }
-    if (name == "auto") {
-        return kinds.front();
-    }
+    if (name == "auto") return kinds.front();
     throw SceneError(fmt::format("accelerator \"{}\" is not known; known are: {}", name, known));
 }
 

@@ -8,17 +8,17 @@
 namespace brandung {
 namespace {
 
-constexpr uint MAX_BINS = 32;    // 16 cost a ray up to 0.7 % more steps
-constexpr size_t GRAIN = 32768;  // references of a task
+constexpr uint max_bins = 32;    ///< fewer cost a ray more steps
+constexpr size_t grain = 32768;  ///< references of a task
 
 using References = std::span<const SortedReference>;
 
-// `fill` adds references to a result. Only minima, maxima and counts of integers are taken, so how they are cut into tasks doesn't show.
+/// `fill` adds references to a result. Only minima, maxima and counts of integers are taken, so how they are cut into tasks doesn't show.
 template <class Result, class Fill> void reduce(References references, Result &result, const Fill &fill) {
-    if (references.size() <= GRAIN) {
+    if (references.size() <= grain) {
         fill(result, references);
     } else {
-        const tbb::blocked_range<size_t> all(0, references.size(), GRAIN);
+        const tbb::blocked_range<size_t> all(0, references.size(), grain);
         const auto fill_piece = [&](const tbb::blocked_range<size_t> &piece, Result partial) {
             fill(partial, references.subspan(piece.begin(), piece.size()));
             return partial;
@@ -41,31 +41,25 @@ struct Bin {
 
     void add(const Bin &other) {
         box.add(other.box);
-        for (uint kind = 0; kind < MAX_PRIMITIVE_KINDS; ++kind) {
-            counts[kind] += other.counts[kind];
-        }
+        for (uint kind = 0; kind < MAX_PRIMITIVE_KINDS; ++kind) counts[kind] += other.counts[kind];
     }
     double cost(double pad) const {
         uint blocks = 0;
-        for (const uint count : counts) {
-            blocks += (count + BLOCK_SIZE - 1) / BLOCK_SIZE;
-        }
+        for (const uint count : counts) blocks += (count + BLOCK_SIZE - 1) / BLOCK_SIZE;
         return box.half_area(pad) * blocks;
     }
 };
 
 struct Bins {
-    std::array<Bin, MAX_BINS> of;
+    std::array<Bin, max_bins> of;
 
     void add(const Bins &other) {
-        for (uint bin = 0; bin < MAX_BINS; ++bin) {
-            of[bin].add(other.of[bin]);
-        }
+        for (uint bin = 0; bin < max_bins; ++bin) of[bin].add(other.of[bin]);
     }
 };
 
-// A range with fewer references than bins would mostly weigh the same splits twice.
-uint bin_count(size_t references) { return uint(std::min<size_t>(MAX_BINS, references)); }
+/// A range with fewer references than bins would mostly weigh the same splits twice.
+uint bin_count(size_t references) { return uint(std::min<size_t>(max_bins, references)); }
 
 struct Candidate {
     Split split;
@@ -73,7 +67,7 @@ struct Candidate {
 };
 
 void try_axis(const Bins &bins, uint count, Split split, double pad, Candidate &best) {
-    std::array<double, MAX_BINS> second_cost;
+    std::array<double, max_bins> second_cost;
     Bin second;
     for (uint bin = count - 1; bin > 0; --bin) {
         second.add(bins.of[bin]);
@@ -106,13 +100,11 @@ Extent measure(References references) {
 
 Split choose_split(References references, const KindBox &centres, double pad) {
     const bool by_kind_only = references.size() <= BLOCK_SIZE && !centres.one_kind();
-    const uint count = by_kind_only ? MAX_BINS : bin_count(references.size());
+    const uint count = by_kind_only ? max_bins : bin_count(references.size());
     Candidate best;
-    for (uint axis = by_kind_only ? KIND_AXIS : 0; axis < AXES; ++axis) {
+    for (uint axis = by_kind_only ? kind_axis : 0; axis < axes; ++axis) {
         const float extent = centres.high[axis] - centres.low[axis];
-        if (extent < 1e-30f) {
-            continue;  // the scale below stays finite
-        }
+        if (extent < 1e-30f) continue;  // the scale below stays finite
         const Split split{.axis = axis, .base = centres.low[axis], .scale = 0.9999f * float(count) / extent};
         Bins bins;
         reduce(references, bins, [&](Bins &sum, References piece) {

@@ -12,8 +12,8 @@
 namespace brandung {
 namespace {
 
-constexpr uint SERIAL_BELOW = 4096;   // references of a subtree that is one task
-constexpr uint SMALLEST_DIVIDED = 5;  // offering smaller blocks in pieces gains less than 0.3 % of a ray's steps
+constexpr uint serial_below = 4096;   ///< references of a subtree that is one task
+constexpr uint smallest_divided = 5;  ///< offering smaller blocks in pieces gains next to nothing
 
 struct Range {
     uint begin, end;
@@ -31,7 +31,7 @@ struct Build {
 
 uint ceil_log2(size_t count) { return uint(std::bit_width(count - 1)); }
 
-// Adding 0 makes -0 to +0: of the two, a minimum would take the one that comes first.
+/// Adding 0 makes -0 to +0: of the two, a minimum would take the one that comes first.
 SortedReference sorted_reference(const Reference &reference, uint index) {
     const vec3 low = reference.bounds.low + 0.0f, high = reference.bounds.high + 0.0f;
     const float kind = float(reference.kind);
@@ -44,7 +44,7 @@ void take_references(Build &build, std::span<const Reference> references) {
     tbb::parallel_for(size_t(0), references.size(), [&](size_t i) { build.tree.references[i] = sorted_reference(references[i], uint(i)); });
 }
 
-// Stable and without branches. Gives the end of the first side.
+/// Stable and without branches. Gives the end of the first side.
 uint partition(Build &build, Range range, const Split &split) {
     std::vector<SortedReference> &references = build.tree.references;
     uint first = range.begin, second = range.begin;
@@ -60,25 +60,21 @@ uint partition(Build &build, Range range, const Split &split) {
     return first;
 }
 
-// Where halves meet, so that blocks below come out full.
+/// Where halves meet, so that blocks below come out full.
 uint middle_of(Range range) {
     const uint half = range.count() / 2;
     return range.begin + (range.count() <= BLOCK_SIZE ? half : (half + BLOCK_SIZE - 1) / BLOCK_SIZE * BLOCK_SIZE);
 }
 
-// Where the second of two children begins, range.begin if the range is best left a leaf. Halves serve where SAH finds nothing or goes too deep.
+/// Where the second of two children begins, range.begin if the range is best left a leaf. Halves serve where SAH finds nothing or goes too deep.
 uint divide(Build &build, const Bvh2Node &node, const KindBox &centres, uint depth) {
     const Range range{node.first, node.first + node.count};
-    if (node.fits_block() && node.count < SMALLEST_DIVIDED) {
-        return range.begin;
-    }
+    if (node.fits_block() && node.count < smallest_divided) return range.begin;
     const Split split = choose_split(build.references(range), centres, build.tree.pad);
     if (split.exists()) {
         const uint middle = partition(build, range, split);
         const uint larger = std::max(middle - range.begin, range.end - middle);
-        if (depth + 1 + ceil_log2(larger) <= build.depth_limit) {
-            return middle;
-        }
+        if (depth + 1 + ceil_log2(larger) <= build.depth_limit) return middle;
     }
     return node.fits_block() ? range.begin : middle_of(range);
 }
@@ -88,13 +84,11 @@ void build_node(Build &build, uint index, Range range, uint depth) {
     Bvh2Node &node = build.tree.nodes[index];
     node = {extent.boxes, range.begin, range.count(), 0};
     const uint middle = divide(build, node, extent.centres, depth);
-    if (middle == range.begin) {
-        return;
-    }
+    if (middle == range.begin) return;
     const uint children = node.children = build.node_count.fetch_add(2);
     const auto build_first = [&] { build_node(build, children, {range.begin, middle}, depth + 1); };
     const auto build_second = [&] { build_node(build, children + 1, {middle, range.end}, depth + 1); };
-    if (range.count() < SERIAL_BELOW) {
+    if (range.count() < serial_below) {
         build_first();
         build_second();
     } else {
@@ -102,12 +96,10 @@ void build_node(Build &build, uint index, Range range, uint depth) {
     }
 }
 
-// Far below what a float can resolve of the scene, but enough to tell short lines from long ones.
+/// Far below what a float can resolve of the scene, but enough to tell short lines from long ones.
 double pad_for(const KindBox &box) {
     double extent = 1e-25;
-    for (uint axis = 0; axis < KIND_AXIS; ++axis) {
-        extent = std::max(extent, double(box.high[axis]) - box.low[axis]);
-    }
+    for (uint axis = 0; axis < kind_axis; ++axis) extent = std::max(extent, double(box.high[axis]) - box.low[axis]);
     return extent * 0x1p-40;
 }
 

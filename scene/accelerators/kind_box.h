@@ -7,12 +7,12 @@
 
 namespace brandung {
 
-constexpr uint AXES = 4;
-constexpr uint KIND_AXIS = 3;
+constexpr uint axes = 4;
+constexpr uint kind_axis = 3;
 
-using Point4 = std::array<float, AXES>;
+using Point4 = std::array<float, axes>;
 
-/// Bounds in space, and from low[KIND_AXIS] to high[KIND_AXIS] in kinds: a mixture can be split there as in space.
+/// Bounds in space, and from low[kind_axis] to high[kind_axis] in kinds: a mixture can be split there as in space.
 /// The loops over four floats become one instruction each.
 struct KindBox {
     Point4 low, high;
@@ -20,15 +20,15 @@ struct KindBox {
     static constexpr KindBox nothing() { return {{FLT_MAX, FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX, -FLT_MAX}}; }
 
     void add(Point4 other_low, Point4 other_high) {
-        for (uint axis = 0; axis < AXES; ++axis) {
+        for (uint axis = 0; axis < axes; ++axis) {
             low[axis] = other_low[axis] < low[axis] ? other_low[axis] : low[axis];
             high[axis] = other_high[axis] > high[axis] ? other_high[axis] : high[axis];
         }
     }
     void add(const KindBox &other) { add(other.low, other.high); }
     bool empty() const { return low[0] > high[0]; }
-    bool one_kind() const { return low[KIND_AXIS] == high[KIND_AXIS]; }
-    uint kind() const { return uint(low[KIND_AXIS]); }
+    bool one_kind() const { return low[kind_axis] == high[kind_axis]; }
+    uint kind() const { return uint(low[kind_axis]); }
 
     /// Half the centre: neither it nor a difference of two of them overflows.
     float half_centre(uint axis) const { return 0.25f * low[axis] + 0.25f * high[axis]; }

@@ -10,9 +10,7 @@ BuiltAccelerator build_none(std::span<const Reference> references) {
     for (uint i = 0; i < references.size(); ++i) {
         const uint kind = references[i].kind;
         std::vector<PrimitiveBlock> &blocks = accelerator.blocks[kind];
-        if (kind != previous_kind || blocks.back().count == BLOCK_SIZE) {
-            blocks.push_back({});
-        }
+        if (kind != previous_kind || blocks.back().count == BLOCK_SIZE) blocks.push_back({});
         PrimitiveBlock &block = blocks.back();
         block.references[block.count++] = i;
         previous_kind = kind;

@@ -12,19 +12,19 @@
 namespace brandung {
 namespace {
 
-constexpr uint SERIAL_BELOW = 4096;  // references of a subtree that is one task
-constexpr uint MOST_SLACK = 16;
+constexpr uint serial_below = 4096;  ///< references of a subtree that is one task
+constexpr uint most_slack = 16;
 
-// How to cut the binary tree into wide nodes at the least expected cost of a ray, a node and a block costing the same: Ylitie, Karras, Laine,
-// Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs (HPG 2017), section 3.1. It has 1/3 fewer nodes than opening the
-// largest child until there are 8, and rays need 3 to 5 % fewer steps.
+/// How to cut the binary tree into wide nodes at the least expected cost of a ray, a node and a block costing the same: Ylitie, Karras, Laine,
+/// Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs (HPG 2017), section 3.1. It has fewer nodes than opening the
+/// largest child until there are 8, and rays need fewer steps.
 struct Cut {
     std::array<double, BVH_WIDTH> cost;         ///< [j]: of the subtree as up to j children of one wide node; j > 0
     std::array<uint8_t, BVH_WIDTH + 1> shares;  ///< [j]: so many of the j go to the first binary child; 0: the subtree is one child
     bool is_leaf;                               ///< as one child it is a block, not a node
 };
 
-// The cheapest way to make `width` children of the two binary children.
+/// The cheapest way to make `width` children of the two binary children.
 double share(const Cut &first, const Cut &second, uint width, uint8_t &first_share) {
     double best = DBL_MAX;
     for (uint j = 1; j < width; ++j) {
@@ -67,7 +67,7 @@ void cut_subtree(const Bvh2 &tree, uint index, Cut *cuts) {
     }
     const auto cut_first = [&] { cut_subtree(tree, children, cuts); };
     const auto cut_second = [&] { cut_subtree(tree, children + 1, cuts); };
-    if (node.count < SERIAL_BELOW) {
+    if (node.count < serial_below) {
         cut_first();
         cut_second();
     } else {
@@ -102,7 +102,7 @@ void add_children(const Collapse &collapse, uint index, uint width, Children &ch
     add_children(collapse, first + 1, width - first_share, children);
 }
 
-// Largest first.
+/// Largest first.
 Children children_of(const Collapse &collapse, uint index) {
     Children children;
     if (collapse.cuts[index].is_leaf) {
@@ -115,7 +115,7 @@ Children children_of(const Collapse &collapse, uint index) {
     return children;
 }
 
-// Boxes of children that don't exist are 0: finite, and the traversal asks for BVH_EMPTY.
+/// Boxes of children that don't exist are 0: finite, and the traversal asks for BVH_EMPTY.
 BvhNode empty_node() {
     BvhNode node{};
     std::fill(std::begin(node.child), std::end(node.child), BVH_EMPTY);
@@ -129,15 +129,13 @@ uint add_block(Collapse &collapse, const Bvh2Node &leaf) {
         throw SceneError(fmt::format("wide_bvh: cannot hold more than {} blocks of {} primitives of one kind", BVH_BLOCK, BLOCK_SIZE));
     }
     PrimitiveBlock block{.references = {}, .count = leaf.count};
-    for (uint i = 0; i < leaf.count; ++i) {
-        block.references[i] = collapse.tree.references[leaf.first + i].index;
-    }
+    for (uint i = 0; i < leaf.count; ++i) block.references[i] = collapse.tree.references[leaf.first + i].index;
     std::sort(block.references.begin(), block.references.begin() + leaf.count);
     blocks.push_back(block);
     return BVH_LEAF | kind << BVH_KIND_SHIFT | uint(blocks.size() - 1);
 }
 
-// Depth first, so that what is near in space is near in memory. `pending`: entries on the stack of a ray that arrives here.
+/// Depth first, so that what is near in space is near in memory. `pending`: entries on the stack of a ray that arrives here.
 uint add_node(Collapse &collapse, uint index, uint pending) {
     const Children children = children_of(collapse, index);
     const uint place = uint(collapse.nodes.size());
@@ -175,21 +173,15 @@ BuiltAccelerator build_empty() {
 }  // namespace
 
 BuiltAccelerator build_wide_bvh(std::span<const Reference> references) {
-    if (references.empty()) {
-        return build_empty();
-    }
+    if (references.empty()) return build_empty();
     // Only nests of boxes that grow without end make the first tree too deep.
-    for (uint slack = MOST_SLACK;; slack /= 2) {
+    for (uint slack = most_slack;; slack /= 2) {
         const Bvh2 tree = build_bvh2(references, slack);
         Collapse collapse(tree);
         cut_subtree(tree, 0, collapse.cuts.get());
         add_node(collapse, 0, 0);
-        if (collapse.stack_entries <= BVH_PENDING) {
-            return built(collapse);
-        }
-        if (slack == 0) {
-            throw SceneError(fmt::format("wide_bvh: {} primitives need a deeper stack than the traversal has", references.size()));
-        }
+        if (collapse.stack_entries <= BVH_PENDING) return built(collapse);
+        if (slack == 0) throw SceneError(fmt::format("wide_bvh: {} primitives need a deeper stack than the traversal has", references.size()));
     }
 }
 

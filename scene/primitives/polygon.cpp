@@ -6,9 +6,23 @@
 #include "scene/primitives/kinds.h"
 
 namespace brandung {
+namespace {
+
+/// Where vertices are nearly collinear, a polygon in order has triangles that floats cannot tell from lines: nothing is lost without them.
+std::vector<uint> triangles_with_area(const std::vector<vec3> &vertices) {
+    const std::vector<uint> all = triangulate(vertices);
+    std::vector<uint> triangles;
+    for (std::size_t i = 0; i < all.size(); i += 3) {
+        if (has_area(vertices[all[i]], vertices[all[i + 1]], vertices[all[i + 2]]))
+            triangles.insert(triangles.end(), {all[i], all[i + 1], all[i + 2]});
+    }
+    return triangles;
+}
+
+}  // namespace
 
 void append_polygon(Scene &scene, MeshData &mesh, const std::vector<vec3> &vertices, const std::vector<vec3> &normals) {
-    const std::vector<uint> triangles = triangulate(vertices);
+    const std::vector<uint> triangles = triangles_with_area(vertices);
     if (triangles.empty()) {
         ++scene.warnings["polygon without area: left out"];
         return;

@@ -66,6 +66,8 @@ struct MeshData {
     std::vector<uint> indices;  ///< three per triangle
 };
 std::unique_ptr<Shape> make_triangle_mesh(uint material, MeshData mesh);
+/// Whether the kernels can tell the triangle's normal. They too round the edges to float, and then make no error that matters.
+bool has_area(vec3 a, vec3 b, vec3 c);
 /// Indices (three per triangle) of a triangulation of a simple, possibly concave, nearly planar polygon; empty if it has no area.
 std::vector<uint> triangulate(const std::vector<vec3> &polygon);
 

@@ -17,6 +17,11 @@ namespace brandung {
 const PrimitiveKind triangle_kind = {"triangle", "Triangle", sizeof(TriangleBlock)};
 const PrimitiveKind smooth_triangle_kind = {"smooth_triangle", "SmoothTriangle", sizeof(SmoothTriangleBlock)};
 
+bool has_area(vec3 a, vec3 b, vec3 c) {
+    const glm::dvec3 n = glm::abs(glm::cross(glm::dvec3(b - a), glm::dvec3(c - a)));
+    return std::max({n.x, n.y, n.z}) >= double(std::numeric_limits<float>::min());
+}
+
 namespace {
 
 class TriangleMesh final : public Shape {
@@ -58,12 +63,6 @@ private:
 
     MeshData mesh_;
 };
-
-/// Whether the kernels can tell the triangle's normal. They too round the edges to float, and then make no error that matters.
-bool has_area(vec3 a, vec3 b, vec3 c) {
-    const glm::dvec3 n = glm::abs(glm::cross(glm::dvec3(b - a), glm::dvec3(c - a)));
-    return std::max({n.x, n.y, n.z}) >= double(std::numeric_limits<float>::min());
-}
 
 void drop_flat_triangles(MeshData &mesh) {
     std::size_t kept = 0;

@@ -6,6 +6,7 @@
 #include <queue>
 #include <tuple>
 
+#include "scene/primitives/point_tree.h"
 #include "scene/primitives/shape.h"
 
 namespace brandung {
@@ -56,6 +57,12 @@ glm::dvec3 area_vector(const std::vector<vec3> &polygon) {
         sum += glm::cross(glm::dvec3(polygon[i]) - origin, glm::dvec3(polygon[i + 1]) - origin);
     }
     return sum;
+}
+
+/// Whether a box reaches to the left of the line from a to b, or to the line.
+bool reaches(glm::dvec2 low, glm::dvec2 high, const Corner &a, const Corner &b) {
+    const Corner leftmost{a.y < b.y ? low.x : high.x, a.x < b.x ? high.y : low.y, 0, 0};
+    return orientation(a, b, leftmost) >= 0;
 }
 
 class EarClipper {
@@ -131,7 +138,10 @@ private:
             if (!corner.in_ring || corner.previous != ear.previous || corner.next != ear.next) continue;
             triangles_.insert(triangles_.end(), {ear.previous, ear.corner, ear.next});
             remove(ear.corner);
-            for (const uint i : {ear.previous, ear.next}) corners_[i].convex = turn(i) > 0;
+            for (const uint i : {ear.previous, ear.next}) {
+                corners_[i].convex = turn(i) > 0;
+                if (corners_[i].convex) blockers_.remove(i);
+            }
             for (const uint i : {ear.previous, ear.next}) add_if_ear(i, ears);
         }
     }
@@ -143,33 +153,35 @@ private:
         ears.push({glm::dot(diagonal, diagonal), i, corner.previous, corner.next});
     }
 
-    /// The corners that may lie in ears, by x. Clipping makes angles smaller, so that none is added later.
+    /// The corners that may lie in ears. Clipping makes angles smaller, so that none is added later.
     void find_blockers() {
-        blockers_.clear();
+        std::vector<PointTree::Point> blockers;
         for (uint i = 0; i < corners_.size(); ++i) {
-            if (corners_[i].in_ring && !corners_[i].convex) blockers_.push_back(i);
+            if (corners_[i].in_ring && !corners_[i].convex) blockers.push_back({{corners_[i].x, corners_[i].y}, i});
         }
-        std::sort(blockers_.begin(), blockers_.end(), [this](uint a, uint b) { return corners_[a].x < corners_[b].x; });
+        blockers_ = PointTree(std::move(blockers), uint(corners_.size()));
     }
 
     /// Whether a corner of the ring lies in the ear, its diagonal included.
     bool blocked(const Corner &b) const {
         const Corner &a = corners_[b.previous], &c = corners_[b.next];
-        const auto [low, high] = std::minmax({a.y, b.y, c.y});
         const auto [left, right] = std::minmax({a.x, b.x, c.x});
-        const auto before = [this](uint i, double x) { return corners_[i].x < x; };
-        for (auto i = std::lower_bound(blockers_.begin(), blockers_.end(), left, before); i != blockers_.end(); ++i) {
-            const Corner &p = corners_[*i];
-            if (p.x > right) break;
-            if (p.y < low || p.y > high || !p.in_ring || p.convex || same_place(p, a) || same_place(p, b) || same_place(p, c)) continue;
-            if (orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0) return true;
-        }
-        return false;
+        const auto [bottom, top] = std::minmax({a.y, b.y, c.y});
+        const auto may_block = [&, left = left, right = right, bottom = bottom, top = top](glm::dvec2 low, glm::dvec2 high) {
+            return low.x <= right && high.x >= left && low.y <= top && high.y >= bottom && reaches(low, high, a, b) && reaches(low, high, b, c) &&
+                   reaches(low, high, c, a);
+        };
+        return blockers_.any(may_block, [&](uint i) {
+            const Corner &p = corners_[i];
+            return !same_place(p, a) && !same_place(p, b) && !same_place(p, c) && orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 &&
+                   orientation(c, a, p) >= 0;
+        });
     }
 
     const std::vector<vec3> &polygon_;
     std::vector<Corner> corners_;
-    std::vector<uint> blockers_, triangles_;
+    PointTree blockers_;
+    std::vector<uint> triangles_;
     uint left_ = 0;
     bool ignore_blockers_ = false;
 };

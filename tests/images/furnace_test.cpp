@@ -322,7 +322,7 @@ TEST(FresnelsLaw, CosineBeyondIsThatOfSnellsLaw) {
     }
 }
 
-/// Reflected light as computed and transmitted light as SYSTEM.md S2 has it for the same two cosines are 1 within 2 ulp.
+/// Reflected light as computed and transmitted light by Fresnel's transmittances for the same two cosines are 1 within 2 ulp.
 TEST(FresnelsLaw, ReflectedAndTransmittedLightAddUpToOne) {
     const std::vector<Interface> all = interfaces();
     const std::vector<SplitOfLight> splits = split(all);

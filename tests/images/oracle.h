@@ -30,7 +30,7 @@ Real cross_plane(const Line &line, const Vec &point, const Vec &normal);
 Vec reflect(const Vec &direction, const Vec &normal);
 /// By Snell's law, `normal` on the side that `direction` comes from; `eta`: index there over that beyond. Nothing at total internal reflection.
 std::optional<Vec> refract(const Vec &direction, const Vec &normal, Real eta);
-/// SYSTEM.md S2, Fresnel's reflectance of unpolarised light by the indices and cosines on both sides.
+/// Fresnel's reflectance (1823) of unpolarised light by the indices and cosines on both sides.
 Real fresnel(Real cosine_1, Real cosine_2, Real eta_1, Real eta_2);
 /// The same by the angle of incidence; 1 at total internal reflection. `eta`: index on this side over that beyond.
 Real fresnel(Real cosine, Real eta);

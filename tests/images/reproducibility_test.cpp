@@ -25,9 +25,9 @@ Scene scene_of_everything(uint width, uint height, uint spp) {
     Material shiny = make_material(
         Whitted{.ambient = Spectrum(0.3f), .diffuse = {0.6f, 0.3f, 0.1f}, .specular = Spectrum(0.4f), .reflection = Spectrum(0.3f), .exponent = 30});
     const uint matte_one = add_material(scene, matte(0.7f)), glass_one = add_material(scene, glass(1.5f)), shiny_one = add_material(scene, shiny);
-    add_soup(scene, matte_one, {.spheres = 30, .triangles = 60, .smooth_triangles = 60, .frusta = 40, .size = 0.3f, .seed = 1});
-    add_soup(scene, glass_one, {.spheres = 10, .triangles = 10, .smooth_triangles = 10, .frusta = 10, .size = 0.5f, .seed = 2});
-    add_soup(scene, shiny_one, {.spheres = 20, .triangles = 40, .smooth_triangles = 40, .frusta = 30, .size = 0.4f, .seed = 3});
+    add_soup(scene, matte_one, {.of_each = 48, .size = 0.3f, .seed = 1});
+    add_soup(scene, glass_one, {.of_each = 10, .size = 0.5f, .seed = 2});
+    add_soup(scene, shiny_one, {.of_each = 33, .size = 0.4f, .seed = 3});
     scene.lights.push_back(point_light({2, 3, 2}, {9, 8, 7}));
     scene.lights.push_back(directional_light({-1, 1, 0.5f}, {0.5f, 0.6f, 0.9f}));
     return scene;
@@ -167,17 +167,45 @@ TEST(SameBits, FilmSumsFitTogether) {
     const Rendering rendering = render_scene(scene);
     for (std::size_t i = 0; i < rendering.film.size(); ++i) {
         const FilmPixel &pixel = rendering.film[i];
-        ASSERT_EQ(pixel.count, 4u);
-        ASSERT_EQ(pixel.odd_count, 2u);
+        for (const uint half : {0u, 1u}) ASSERT_EQ(pixel.counts[half], 2u);
         for (int c = 0; c < 3; ++c) {
-            ASSERT_EQ(rendering.picture[i][c], static_cast<float>(pixel.sum[c]) * 0x1p-32f / 4) << "develop is the mean";
+            const __int128 whole = sum_of(pixel, static_cast<std::size_t>(c));
+            ASSERT_EQ(rendering.picture[i][c], static_cast<float>(whole) * 0x1p-32f / 4) << "develop is the mean";
             // Cauchy and Schwarz: (sum of 4)² <= 4 times the sum of squares, and the halves are part of the whole.
-            const long double sum = static_cast<long double>(pixel.sum[c]);
-            const long double squares = static_cast<long double>(pixel.squares[c][0]) + static_cast<long double>(pixel.squares[c][1]) * 0x1p64L;
+            const long double sum = static_cast<long double>(whole), squares = static_cast<long double>(value_of(pixel.squares[c]));
             ASSERT_LE(sum * sum, 4 * squares * 1.0000001L) << "pixel " << i;
-            const long double odd = static_cast<long double>(pixel.odd[c]);
             ASSERT_GE(sum * sum * 1.0000001L, squares) << "radiance is not negative";
-            ASSERT_TRUE(odd >= 0 && odd <= sum);
+            for (const uint half : {0u, 1u}) ASSERT_GE(value_of(pixel.sums[half][c]), 0);
+        }
+    }
+}
+
+/// The left half of the one pixel is bright. Grids with an even number of columns cut it exactly, so that each half of the samples, alone, must
+/// find 1/2.
+TEST(SameBits, EachHalfOfThePixelsSamplesSeesAllOfThePixel) {
+    Scene scene = scene_of_everything(1, 1, 1);
+    scene.shapes.clear(), scene.lights.clear();
+    scene.background = Spectrum(0), scene.ambient = Spectrum(0);
+    scene.cameras[0].from = {0, 0, 3}, scene.cameras[0].at = {0, 0, 0};
+    Material bright = make_material(Whitted{.exponent = 1});
+    bright.emission = Spectrum(1);
+    add_triangle(scene, add_material(scene, bright), {0, -100, 0}, {0, 100, 0}, {-100, 0, 0});
+    for (const uint spp : {4u, 16u, 64u}) {
+        scene.film.spp = spp;
+        const FilmPixel pixel = render_scene(scene).film.at(0);
+        for (const uint half : {0u, 1u}) EXPECT_TRUE(value_of(pixel.sums[half][0]) == std::int64_t{spp} << 30) << spp;
+    }
+}
+
+TEST(SameBits, HalvesOfAnyNumberOfSamplesAreAsLargeAsTheyCanBe) {
+    for (const uint spp : {1u, 2u, 3u, 5u, 26u}) {
+        Scene scene = scene_of_everything(7, 5, spp);
+        scene.background = Spectrum(1), scene.shapes.clear();
+        const Rendering rendering = render_scene(scene);
+        for (std::size_t i = 0; i < rendering.film.size(); ++i) {
+            ASSERT_EQ(rendering.film[i].counts[0], spp - spp / 2);
+            ASSERT_EQ(rendering.film[i].counts[1], spp / 2);
+            ASSERT_EQ(rendering.picture[i], vec3(1)) << spp;
         }
     }
 }

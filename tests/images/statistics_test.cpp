@@ -1,6 +1,7 @@
 /// Every count of a render against a recount: from arrays read back, from the scene's geometry, or from other counts.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "scene/bsdfs/bsdf.h"
@@ -47,8 +48,8 @@ struct Profiled {
 
 Scene soup(bool with_mirrors, bool with_glass) {
     Scene scene = scene_seen_from({0, 0, 4}, {0, 0, 0}, 40, 50);
-    add_soup(scene, add_material(scene, matte(0.5f)), {.spheres = 20, .triangles = 40, .smooth_triangles = 20, .frusta = 20, .size = 0.4f});
-    if (with_mirrors) add_soup(scene, add_material(scene, mirror(0.5f)), {.spheres = 20, .size = 0.4f, .seed = 2});
+    add_soup(scene, add_material(scene, matte(0.5f)), {.of_each = 25, .size = 0.4f});
+    if (with_mirrors) add_soup(scene, add_material(scene, mirror(0.5f)), {.counts = {{"sphere", 20}}, .size = 0.4f, .seed = 2});
     if (with_glass) {  // apart, so that no interface is hidden
         const uint clear = add_material(scene, glass(1.5f));
         for (int corner = 0; corner < 8; ++corner)
@@ -81,9 +82,11 @@ TEST(Counts, OfTracingStagesAreThoseOfTheHitsReadBack) {
         expect_tally(traced.closest_hits(rays));
         expect_tally(traced.closest_hits_of_packets(rays));
 
-        const std::vector<std::uint8_t> visible = traced.visible(rays);
-        EXPECT_EQ(traced.tally().rays[RAY_SHADOW], rays.size());
-        EXPECT_EQ(traced.tally().hits[RAY_SHADOW], std::count(visible.begin(), visible.end(), 0));
+        for (const char *stage : shadow_stages) {
+            const std::vector<std::uint8_t> visible = traced.visible(stage, rays);
+            EXPECT_EQ(traced.tally().rays[RAY_SHADOW], rays.size()) << stage;
+            EXPECT_EQ(traced.tally().hits[RAY_SHADOW], std::count(visible.begin(), visible.end(), 0)) << stage;
+        }
     }
 }
 
@@ -183,6 +186,17 @@ TEST(Counts, OfKernelsItemsAreThoseOfTheRays) {
                 EXPECT_GE(run.profile.at("generate_camera_rays").launches, (50u * 50 + 699) / 700);
             }
         }
+    }
+}
+
+/// A small picture's samples fill the waves: as many of each pixel as a batch holds.
+TEST(Counts, OfLaunchesAreFewForSmallPictures) {
+    Scene scene = scene_seen_from({0, 0, 3}, {0, 0, 0}, 60, 3);
+    for (const auto &[spp, batch, launches] : {std::array{4096u, 36864u, 1u}, {4096u, 9216u, 4u}, {5000u, 9216u, 5u}, {40u, 100u, 6u}}) {
+        scene.film.spp = spp;
+        const Profiled run(scene, batch);
+        EXPECT_EQ(run.profile.at("generate_camera_rays").launches, launches) << spp << " samples, batch " << batch;
+        EXPECT_EQ(run.counts.rays[RAY_CAMERA], 9u * spp);
     }
 }
 

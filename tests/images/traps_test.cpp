@@ -1,4 +1,4 @@
-/// The known traps that Whitted's method can show (SYSTEM.md): what it must get right, and what it must leave dark.
+/// The known traps that Whitted's method can show: what it must get right, and what it must leave dark.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -305,7 +305,8 @@ TEST(NestedGlass, LowerPriorityIsHidden) {
     });
 }
 
-/// Liquids are modelled overlapping their glass a little (Schmidt & Budge 2002): then they touch without a gap.
+/// Liquids are modelled overlapping their glass a little (Schmidt and Budge, Simple Nested Dielectrics in Ray Traced Images, JGT 7(2) 2002): then
+/// they touch without a gap.
 TEST(NestedGlass, LiquidThatOverlapsItsGlassTouchesIt) {
     GlassOverFloor test(4);
     const uint water = add_clear(test.scene, 1.33f, 0), glass = add_clear(test.scene, 1.5f, 1);

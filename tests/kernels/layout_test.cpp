@@ -61,14 +61,16 @@ const Layouts &host_layouts() {
         RECORD(vec3, x, y, z),
         RECORD(Ray, origin, t_max, direction, tag),
         RECORD(Hit, t, u, v, primitive),
-        RECORD(Path, throughput, slot, branch, depth, bsdf_pdf),
+        RECORD(Path, throughput, slot, branch, depth),
         RECORD(SurfacePoint, origin, material, normal, flags),
         RECORD(SurfaceInterface, beyond, geometric, eta),
         RECORD(Tally, rays, hits),
         RECORD(Sample, sum),
-        RECORD(FilmPixel, sum, odd, squares, count, odd_count),
+        RECORD(Integer128, low, high),
+        RECORD(FilmPixel, sums, squares, counts),
         RECORD(Camera, position, corner, right, down, width, height),
         RECORD(BatchParams, pixels, first_sample, samples, spp, columns, rows, seed, position),
+        RECORD(FilmBand, first_row, rows, width),
         RECORD(WhittedParams, max_depth, threshold),
         RECORD(Span, offset, count),
         RECORD(ShadingRecord, kind, material, words),
@@ -81,7 +83,7 @@ const Layouts &host_layouts() {
         RECORD(Split, reflected, refracted),
         RECORD(PointLight, position, intensity, attenuation),
         RECORD(DirectionalLight, direction, irradiance),
-        RECORD(LightSample, direction, distance, irradiance, pdf),
+        RECORD(LightSample, direction, distance, irradiance),
         RECORD(Surface, p, error, geometric, normal),
         RECORD(SphereBlock, primitive, x, y, z, radius),
         RECORD(SphereShading, center, radius),
@@ -178,14 +180,14 @@ TEST(Layout, RecordsAreTheSameInBothLanguages) {
 TEST(Layout, WhatTravelsHasItsPromisedSize) {
     EXPECT_EQ(sizeof(Ray), 32u);
     EXPECT_EQ(sizeof(Hit), 16u);
-    EXPECT_EQ(sizeof(Path), 28u);
+    EXPECT_EQ(sizeof(Path), 24u);
     EXPECT_EQ(sizeof(SurfacePoint), 32u);
     EXPECT_EQ(sizeof(ShadingRecord), 64u);
     EXPECT_EQ(sizeof(Material), 128u);
     EXPECT_EQ(sizeof(Light), 64u);
     EXPECT_EQ(sizeof(BvhNode), 256u);
     EXPECT_EQ(sizeof(vec3), 12u);
-    EXPECT_EQ(sizeof(Sample), 24u);
+    EXPECT_EQ(sizeof(Sample), 48u);
 }
 
 TEST(Layout, MembersAreFoundInDeclarations) {

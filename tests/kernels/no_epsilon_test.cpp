@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -48,6 +49,38 @@ bool has_epsilon(const std::string &line) {
     return false;
 }
 
+/// A number next to 0 that kernels may have: a bound on rounding errors or a unit, never a guess.
+struct SmallNumber {
+    const char *file, *number, *derivation;
+};
+
+/// All of them, by file, outside kernels/core/math.cl, which has polynomials. A new one comes with the place where it is derived.
+const SmallNumber small_numbers[] = {
+    {"kernels/accelerators/leaf.cl", "0x1p-14f", "where coincident faces are looked for; their errors decide: crowd_margin's comment"},
+    {"kernels/core/lane_ray.cl", "0x1p-20f", "pad: two roundings of the slabs' products and of the shifted origin; within_box's comment"},
+    {"kernels/core/lane_ray.cl", "0x1p-60f", "stands for a direction's component of 0: the comment above it"},
+    {"kernels/core/random.cl", "0x1p-24f", "the unit of 24 random bits"},
+    {"kernels/core/refraction.cl", "0x1p-126f", "the least normal number instead of 0: the comment beside it"},
+    {"kernels/core/spawn.cl", "0x1p-21f", "rounding of a shadow ray's two ends: ray_to_light's comment"},
+    {"kernels/primitives/frustum.cl", "0x1p-21f", "error of the point put back onto the surface: frustum_surface's comment"},
+    {"kernels/primitives/frustum_hit.cl", "0x1p-20f", "rounding of the quadratic's constant term: the comment above it"},
+    {"kernels/primitives/sphere.cl", "0x1p-22f", "rounding of the point: the comment above it"},
+    {"kernels/primitives/sphere.cl", "0x1p-38f", "what the correction leaves: the comment above it"},
+    {"kernels/primitives/triangle.cl", "0x1p-22f", "rounding of the point: the comment above it"},
+    {"kernels/primitives/triangle.cl", "0x1p-38f", "what the correction leaves: the comment above it"},
+    {"kernels/primitives/triangle_crossing.cl", "0x1p-19f", "rounding of the distance from the plane: the comment above it"},
+    {"kernels/stages/develop.cl", "0x1p-32f", "the film's unit"},
+};
+
+/// Numbers between 0 and 2^-10 in a line, wherever they are: compared, in a product that is compared, or in a variable that will be.
+std::vector<std::string> small_numbers_in(const std::string &line) {
+    static const std::regex number(R"((?:0x[\da-f.]+p[+-]?\d+|(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)f?)", std::regex::icase);
+    std::vector<std::string> found;
+    for (auto match = std::sregex_iterator(line.begin(), line.end(), number); match != std::sregex_iterator(); ++match)
+        if (const double value = std::stod(match->str()); value != 0 && value < 0x1p-10) found.push_back(match->str());
+    return found;
+}
+
 /// Functions of OpenCL's library that are not exact or correctly rounded.
 bool has_library_function(const std::string &line) {
     static const std::regex pattern(
@@ -66,6 +99,22 @@ void expect_none(const std::vector<std::string> &offences) {
 }
 
 TEST(NoEpsilon, NoDistanceAlongARayIsComparedWithANumberBut0) { expect_none(offences(has_epsilon)); }
+
+TEST(NoEpsilon, EverySmallNumberIsABoundThatIsDerivedSomewhere) {
+    std::set<std::pair<std::string, std::string>> allowed, found;
+    for (const SmallNumber &number : small_numbers) allowed.emplace(number.file, number.number);
+    for (const EmbeddedFile &file : embedded_kernels()) {
+        if (file.path == "kernels/core/math.cl") continue;
+        std::istringstream lines(without_comments(std::string(file.text)));
+        std::string line;
+        for (int number = 1; std::getline(lines, line); ++number)
+            for (const std::string &small : small_numbers_in(line)) {
+                found.emplace(file.path, small);
+                EXPECT_TRUE(allowed.contains({std::string(file.path), small})) << file.path << ":" << number << ": " << line;
+            }
+    }
+    for (const auto &[file, number] : allowed) EXPECT_TRUE(found.contains({file, number})) << number << " is no longer in " << file;
+}
 
 TEST(NoEpsilon, NoLibraryFunctionThatDevicesRoundDifferently) { expect_none(offences(has_library_function)); }
 
@@ -89,6 +138,14 @@ TEST(NoEpsilon, TheSearchLeavesTheRestAlone) {
     for (const std::string line : {"if (t > 0.0f) return;", "crossing.hit &= t0 > 0.0f & t0 <= ray.t_max;", "t > (float8)(0.0f)", "ray.t_max >= 0.0f",
                                    "t > 0", "high > 129.0f ? a : b", "// t > 0.001f", "cost > 0.5f", "first > 1u", "0.0f < t", "near <= far"})
         EXPECT_EQ(offences("x.cl", line, has_epsilon).size(), 0u) << line;
+}
+
+TEST(NoEpsilon, TheSearchFindsSmallNumbersHoweverTheyAreUsed) {
+    for (const std::string line :
+         {"starts_on = fabs(c) <= 0x1p-21f * ff;", "t > scale * 1e-4f", "const real bound = .0005f * size;", "0.0001f", "3E-5f"})
+        EXPECT_EQ(small_numbers_in(line).size(), 1u) << line;
+    for (const std::string line : {"t > 0.0f", "0.5f * x", "words[3] + 0u", "0x7feb352du", "0x00000001u", "0x1p17f", "sum3.x * 1e3f", "x2 - 0.00f"})
+        EXPECT_EQ(small_numbers_in(line).size(), 0u) << line;
 }
 
 TEST(NoEpsilon, TheSearchFindsLibraryFunctions) {

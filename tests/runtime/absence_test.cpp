@@ -10,6 +10,7 @@
 #include "runtime/opencl/embedded_kernels.h"
 #include "runtime/wavefront/specialization.h"
 #include "scene/accelerators/accelerator.h"
+#include "tests/support/primitives.h"
 #include "tests/support/probe.h"
 #include "tests/support/rendering.h"
 #include "tests/support/scenes.h"
@@ -41,7 +42,7 @@ Scene triangles_only(const Material &material) {
 
 Scene everything() {
     Scene scene = spheres_only(glass(1.5f));
-    add_soup(scene, 0, {.spheres = 1, .triangles = 1, .smooth_triangles = 1, .frusta = 1});
+    add_soup(scene, 0, {.of_each = 1});
     scene.lights.push_back(directional_light({0, 0, 1}, Spectrum(1)));
     return scene;
 }
@@ -70,13 +71,17 @@ void expect_present(const Scene &scene, const std::string &file, const std::stri
     EXPECT_NE(expanded(scene).at(file).find(word), std::string::npos) << word << " in " << file;
 }
 
-TEST(Absence, ASceneOfSpheresHasNoOtherPrimitivesCode) {
-    expect_absent(spheres_only(matte(0.5f)), {"triangle", "frustum"});
-    expect_present(spheres_only(matte(0.5f)), "kernels/stages/intersect.cl", "sphere_crossing");
-    expect_present(everything(), "kernels/stages/intersect.cl", "frustum_crossing");
+/// Of every kind of primitive; but smooth triangles may use what flat ones have.
+TEST(Absence, ASceneOfOneKindHasNoOtherPrimitivesCode) {
+    for (const std::string &kind : names_of_primitive_kinds()) {
+        Scene scene = scene_with(matte(0.5f));
+        add_soup(scene, 0, {.counts = {{kind, 1}}});
+        for (const std::string &other : names_of_primitive_kinds())
+            if (kind.find(other) == std::string::npos) expect_absent(scene, {other});
+        expect_present(scene, "kernels/stages/intersect.cl", "primitives/" + kind + "_hit.cl");
+        expect_present(everything(), "kernels/stages/intersect.cl", "primitives/" + kind + "_hit.cl");
+    }
 }
-
-TEST(Absence, ASceneOfTrianglesHasNoOtherPrimitivesCode) { expect_absent(triangles_only(matte(0.5f)), {"sphere", "frustum", "smooth"}); }
 
 TEST(Absence, LightsOfOtherKindsAreNotThere) {
     expect_absent(spheres_only(matte(0.5f)), {"directional"});

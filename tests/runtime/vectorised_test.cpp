@@ -12,6 +12,10 @@
 #include <sstream>
 #include <string>
 
+#include "scene/compile.h"
+#include "scene/formats/format.h"
+#include "scene/lights/light.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,6 +117,15 @@ TEST(Vectorised, EveryMarkedLoopIs16WideInASceneOfMirrors) {
     const Remarks remarks = parse(remarks_of(scene_of(R"(, "reflection": 0.3)")));
     expect_no_failure(remarks);
     for (const std::string &loop : marked_loops()) EXPECT_TRUE(remarks.vectorised.contains(loop)) << loop;
+}
+
+TEST(Vectorised, TheSceneHasEveryKindOfPrimitiveAndLight) {
+    const Folder folder;
+    const fs::path file = folder.path() / "scene.json";
+    std::ofstream(file) << scene_of("");
+    const brandung::CompiledScene scene = brandung::compile(brandung::read_scene(file.string()));
+    EXPECT_EQ(scene.primitives.size(), brandung::primitive_kinds().size());
+    EXPECT_EQ(scene.lights.size(), brandung::light_kinds().size());
 }
 
 TEST(Vectorised, ParseTellsVectorisedLoopsFromOthers) {

@@ -119,7 +119,6 @@ TEST(Parameters, GivesTypedValuesAndFallbacks) {
     EXPECT_EQ(root.vectors("vectors"), (std::vector<vec3>{{1, 2, 3}, {4, 5, 6}}));
     EXPECT_EQ(root.pairs("pairs"), (std::vector<vec2>{{1, 2}}));
     EXPECT_EQ(root.integers("integers"), (std::vector<uint>{0xffffffffu, 0}));
-    EXPECT_EQ(root.numbers("vector"), (std::vector<float>{1, 2, 3}));
     EXPECT_TRUE(root.texts("none").empty());
     EXPECT_EQ(root.child("child").number("x"), 1.0f);
     EXPECT_EQ(root.child("none").number("x", 2.0f), 2.0f);

@@ -4,6 +4,10 @@
 
 namespace brandung {
 
+__int128 value_of(Integer128 x) { return static_cast<__int128>(static_cast<unsigned __int128>(x.high) << 64 | x.low); }
+
+__int128 sum_of(const FilmPixel &pixel, std::size_t c) { return value_of(pixel.sums[0][c]) + value_of(pixel.sums[1][c]); }
+
 Rendering render_scene(const Scene &scene, const RenderOptions &options) {
     Device &device = test_device();
     const CompiledScene compiled = compile(scene);

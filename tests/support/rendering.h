@@ -14,6 +14,10 @@ struct Rendering {
     uint clamped;
 };
 
+__int128 value_of(Integer128 x);
+/// The sum of all samples of channel c.
+__int128 sum_of(const FilmPixel &pixel, std::size_t c);
+
 /// Renders with the scene's first camera on the test device.
 Rendering render_scene(const Scene &scene, const RenderOptions &options = {});
 

@@ -4,6 +4,7 @@
 
 #include "scene/bsdfs/bsdf.h"
 #include "scene/lights/light.h"
+#include "tests/support/primitives.h"
 
 namespace brandung {
 
@@ -47,19 +48,13 @@ void add_smooth_triangle(Scene &scene, uint material, vec3 a, vec3 b, vec3 c, ve
 
 void add_soup(Scene &scene, uint material, const Soup &soup) {
     Random random(soup.seed);
-    std::vector<uint> order(soup.spheres, 0);
-    order.insert(order.end(), soup.triangles, 1);
-    order.insert(order.end(), soup.smooth_triangles, 2);
-    order.insert(order.end(), soup.frusta, 3);
+    std::vector<AddPrimitive> order;
+    for (const std::string &kind : names_of_primitive_kinds()) order.insert(order.end(), soup.of_each, maker_of(kind));
+    for (const auto &[kind, count] : soup.counts) order.insert(order.end(), count, maker_of(kind));
     for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(uint(i))]);
-    for (const uint kind : order) {
-        const vec3 p = random.in_cube(1);
-        const float size = soup.size * random.uniform(0.1f, 1);
-        const vec3 a = p + random.in_cube(size), b = p + random.in_cube(size), c = p + random.in_cube(size);
-        if (kind == 0) add_sphere(scene, material, p, size);
-        if (kind == 1) add_triangle(scene, material, a, b, c);
-        if (kind == 2) add_smooth_triangle(scene, material, a, b, c, p);
-        if (kind == 3) add_frustum(scene, material, a, random.uniform(0, 0.5f) * size, b, random.uniform(0, 0.5f) * size);
+    for (const AddPrimitive add : order) {
+        const vec3 place = random.in_cube(1);
+        add(scene, material, random, place, soup.size * random.uniform(0.1f, 1));
     }
 }
 

@@ -1,6 +1,8 @@
 /// Small scenes, made in C++.
 #pragma once
+#include <map>
 #include <random>
+#include <string>
 
 #include "scene/primitives/add.h"
 #include "scene/scene.h"
@@ -35,8 +37,9 @@ void add_smooth_triangle(Scene &scene, uint material, vec3 a, vec3 b, vec3 c, ve
 
 /// Primitives in the cube [-1, 1]³, in random order.
 struct Soup {
-    uint spheres = 0, triangles = 0, smooth_triangles = 0, frusta = 0;
-    float size = 0.1f;  ///< of one primitive, at most
+    uint of_each = 0;                         ///< so many of every kind in primitive_kinds()
+    std::map<std::string, uint> counts = {};  ///< by kind, beside them
+    float size = 0.1f;                        ///< of one primitive, at most
     uint seed = 1;
 };
 void add_soup(Scene &scene, uint material, const Soup &soup);

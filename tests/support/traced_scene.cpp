@@ -48,9 +48,9 @@ std::vector<Hit> TracedScene::closest_hits(const std::string &stage, const std::
     return hits.read();
 }
 
-std::vector<std::uint8_t> TracedScene::visible(const std::vector<Ray> &rays) {
+std::vector<std::uint8_t> TracedScene::visible(const std::string &stage, const std::vector<Ray> &rays) {
     Device &device = test_device();
-    Kernel kernel(device, "kernels/stages/trace_shadow_rays.cl", "trace_shadow_rays", on_device_.lists());
+    Kernel kernel(device, "kernels/stages/" + stage + ".cl", stage, on_device_.lists());
     const Buffer<Ray> ray_buffer(device, rays);
     std::vector<uint> all(rays.size());
     std::iota(all.begin(), all.end(), 0u);

@@ -13,6 +13,9 @@ namespace brandung {
 
 Ray make_ray(vec3 origin, vec3 direction, float t_max = std::numeric_limits<float>::infinity(), uint kind = RAY_CAMERA);
 
+/// In packets, and one ray after another.
+constexpr const char *shadow_stages[] = {"trace_shadow_rays", "trace_shadow_rays_singly"};
+
 class TracedScene {
 public:
     /// Sets the scene's accelerator.
@@ -22,8 +25,8 @@ public:
     std::vector<Hit> closest_hits(const std::vector<Ray> &rays) { return closest_hits("intersect", rays); }
     /// By stages/intersect_packets.cl.
     std::vector<Hit> closest_hits_of_packets(const std::vector<Ray> &rays) { return closest_hits("intersect_packets", rays); }
-    /// By stages/trace_shadow_rays.cl: 1 where nothing is met before t_max.
-    std::vector<std::uint8_t> visible(const std::vector<Ray> &rays);
+    /// By one of shadow_stages: 1 where nothing is met before t_max.
+    std::vector<std::uint8_t> visible(const std::string &stage, const std::vector<Ray> &rays);
     /// By primitives/primitive.cl; all zero where nothing was hit.
     std::vector<Surface> surfaces(const std::vector<Ray> &rays, const std::vector<Hit> &hits);
 

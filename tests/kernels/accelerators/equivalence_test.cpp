@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <numeric>
 #include <string>
 
 #include "scene/accelerators/accelerator.h"
+#include "tests/support/primitives.h"
 #include "tests/support/scenes.h"
 #include "tests/support/traced_scene.h"
 
@@ -16,8 +18,8 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// One of each kind, small and to the side: so all scenes but that of spheres have one set of programs.
-void add_one_of_each_kind(Scene &scene) { add_soup(scene, 0, {.spheres = 1, .triangles = 1, .smooth_triangles = 1, .frusta = 1, .size = 0.01f}); }
+/// One of each kind, small: so all scenes but those of spheres alone have one set of programs.
+void add_one_of_each_kind(Scene &scene) { add_soup(scene, 0, {.of_each = 1, .size = 0.01f}); }
 
 Scene empty_scene() {
     Scene scene;
@@ -34,7 +36,7 @@ Scene soup_scene(const Soup &soup) {
 
 Scene spheres_only() {
     Scene scene = empty_scene();
-    add_soup(scene, 0, {.spheres = 300, .size = 0.3f});
+    add_soup(scene, 0, {.counts = {{"sphere", 300}}, .size = 0.3f});
     return scene;
 }
 Scene one_sphere() {
@@ -42,13 +44,9 @@ Scene one_sphere() {
     add_sphere(scene, 0, {0.1f, 0.2f, 0.3f}, 0.7f);
     return scene;
 }
-Scene spheres() { return soup_scene({.spheres = 300, .size = 0.3f}); }
-Scene triangles() { return soup_scene({.triangles = 500, .size = 0.4f}); }
-Scene smooth_triangles() { return soup_scene({.smooth_triangles = 500, .size = 0.4f}); }
-Scene frusta() { return soup_scene({.frusta = 300, .size = 0.5f}); }
-Scene mixture() { return soup_scene({.spheres = 120, .triangles = 250, .smooth_triangles = 130, .frusta = 100, .size = 0.4f}); }
+Scene mixture() { return soup_scene({.of_each = 150, .size = 0.4f}); }
 
-/// Three times the same, in an order that separates equals; triangles also as smooth ones.
+/// Three times the same, in an order that separates equals; triangles also as smooth ones. Groups have one of each kind, and first these two.
 Scene duplicates() {
     Scene scene = empty_scene();
     add_one_of_each_kind(scene);
@@ -58,8 +56,8 @@ Scene duplicates() {
             const vec3 a = random.in_cube(1), b = a + random.in_cube(0.5f), c = a + random.in_cube(0.5f);
             add_triangle(scene, 0, a, b, c);
             add_smooth_triangle(scene, 0, a, b, c, a - b);
-            add_sphere(scene, 0, a, 0.2f);
-            add_frustum(scene, 0, b, 0.1f, c, 0.2f);
+            for (const std::string &kind : names_of_primitive_kinds())
+                if (kind != "triangle" && kind != "smooth_triangle") maker_of(kind)(scene, 0, random, a, 0.2f);
         }
     }
     return scene;
@@ -85,13 +83,8 @@ Scene far_away() {
     Scene scene = empty_scene();
     Random random(6);
     const vec3 centre(8192, -8192, 8192);
-    for (uint i = 0; i < 100; ++i) {
-        const vec3 p = centre + random.in_cube(1), q = p + random.in_cube(0.5f), r = p + random.in_cube(0.5f);
-        add_sphere(scene, 0, p, 0.2f);
-        add_triangle(scene, 0, p, q, r);
-        add_smooth_triangle(scene, 0, q, r, p, centre);
-        add_frustum(scene, 0, q, 0.1f, r, 0.05f);
-    }
+    for (uint i = 0; i < 100; ++i)
+        for (const std::string &kind : names_of_primitive_kinds()) maker_of(kind)(scene, 0, random, centre + random.in_cube(1), 0.3f);
     return scene;
 }
 
@@ -114,24 +107,27 @@ Scene edge_on() {
 }
 
 struct SceneKind {
-    const char *name;
-    Scene (*make)();
+    std::string name;
+    std::function<Scene()> make;
     vec3 centre;
 };
 void PrintTo(const SceneKind &kind, std::ostream *out) { *out << kind.name; }
-const SceneKind scene_kinds[] = {
-    {"spheres_only", spheres_only, {}},
-    {"one_sphere", one_sphere, {}},
-    {"spheres", spheres, {}},
-    {"triangles", triangles, {}},
-    {"smooth_triangles", smooth_triangles, {}},
-    {"frusta", frusta, {}},
-    {"mixture", mixture, {}},
-    {"duplicates", duplicates, {}},
-    {"grid", grid, {}},
-    {"edge_on", edge_on, {}},
-    {"far_away", far_away, {8192, -8192, 8192}},
-};
+
+/// Some by hand, and one of each kind of primitive.
+std::vector<SceneKind> scene_kinds() {
+    std::vector<SceneKind> kinds = {
+        {"spheres_only", spheres_only, {}},
+        {"one_sphere", one_sphere, {}},
+        {"mixture", mixture, {}},
+        {"duplicates", duplicates, {}},
+        {"grid", grid, {}},
+        {"edge_on", edge_on, {}},
+        {"far_away", far_away, {8192, -8192, 8192}},
+    };
+    for (const std::string &name : names_of_primitive_kinds())
+        kinds.push_back({"only_" + name, [name] { return soup_scene({.counts = {{name, 400}}, .size = 0.4f}); }, {}});
+    return kinds;
+}
 
 std::vector<Bounds> boxes_of(const Scene &scene) {
     std::vector<Bounds> boxes;
@@ -239,12 +235,14 @@ void expect_equivalent(Scene &scene, const std::string &accelerator, const std::
     EXPECT_EQ(std::accumulate(traced.tally().rays, traced.tally().rays + RAY_KINDS, std::size_t{0}), rays.size());
     EXPECT_EQ(std::accumulate(traced.tally().hits, traced.tally().hits + RAY_KINDS, std::size_t{0}), hits);
 
-    const std::vector<std::uint8_t> visible = traced.visible(rays);
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < rays.size(); ++i) different += (visible[i] != 0) != (expected[i].primitive == NO_HIT);
-    EXPECT_EQ(different, 0u) << what << ", occlusion, of " << rays.size();
-    EXPECT_EQ(traced.tally().hits[RAY_SHADOW], hits);
-    EXPECT_EQ(traced.tally().rays[RAY_SHADOW], rays.size());
+    for (const char *stage : shadow_stages) {
+        const std::vector<std::uint8_t> visible = traced.visible(stage, rays);
+        std::size_t different = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) different += (visible[i] != 0) != (expected[i].primitive == NO_HIT);
+        EXPECT_EQ(different, 0u) << what << ", " << stage << ", of " << rays.size();
+        EXPECT_EQ(traced.tally().hits[RAY_SHADOW], hits) << stage;
+        EXPECT_EQ(traced.tally().rays[RAY_SHADOW], rays.size()) << stage;
+    }
 }
 
 class Equivalence : public testing::TestWithParam<std::tuple<std::string, SceneKind>> {};
@@ -277,21 +275,21 @@ TEST_P(Equivalence, FindsWhatNoneFinds) {
     expect_equivalent(scene, accelerator, cut, hits, "rays cut at their hit");
 }
 
-INSTANTIATE_TEST_SUITE_P(Accelerators, Equivalence, testing::Combine(testing::ValuesIn(accelerator_names()), testing::ValuesIn(scene_kinds)),
+INSTANTIATE_TEST_SUITE_P(Accelerators, Equivalence, testing::Combine(testing::ValuesIn(accelerator_names()), testing::ValuesIn(scene_kinds())),
                          name_of);
 
 TEST(EquivalenceOfNone, TiesGoToTheLowerNumberAcrossKinds) {
     Scene scene = duplicates();
     TracedScene none(scene, "none");
     const std::vector<Ray> rays = make_rays(scene, vec3(0));
-    const uint distinct = 4 + 4 * 60;
+    const uint group = uint(primitive_kinds().size()), distinct = group + group * 60;
     uint hits_count = 0;
     for (const Hit &hit : none.closest_hits(rays)) {
         if (hit.primitive == NO_HIT) continue;
         ++hits_count;
         ASSERT_LT(hit.primitive, distinct) << "a copy was hit, not the first of its kind";
-        // Among the first 60 groups of four, the second is the first one's triangle again, as a smooth one.
-        ASSERT_FALSE(hit.primitive >= 4 && hit.primitive % 4 == 1) << "the smooth copy of a flat triangle was hit";
+        // In every group the second is the first one's triangle again, as a smooth one.
+        ASSERT_FALSE(hit.primitive >= group && hit.primitive % group == 1) << "the smooth copy of a flat triangle was hit";
     }
     EXPECT_GT(hits_count, 500u);
 }

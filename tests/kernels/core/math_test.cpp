@@ -189,11 +189,11 @@ TEST(Math, DifferenceOfProductsIsWithinItsErrorHoweverMuchCancels) {
     }
 }
 
-TEST(Math, MinimumMaximumSquare) {
+TEST(Math, MinimumMaximum) {
     Probe probe(R"(#include "kernels/core/math.cl"
         kernel void probe(const global float *x, const global float *y, global float *z) {
             const uint i = get_global_id(0);
-            z[i] = square(minimum(x[i], y[i])) - maximum(x[i], y[i]);
+            z[i] = 100.0f * minimum(x[i], y[i]) + maximum(x[i], y[i]);
         })");
-    EXPECT_EQ(probe.run<float>(std::vector<float>{2, 5, -3}, std::vector<float>{7, 4, -3}), (std::vector<float>{-3, 11, 12}));
+    EXPECT_EQ(probe.run<float>(std::vector<float>{2, 5, -3}, std::vector<float>{7, 4, -3}), (std::vector<float>{207, 405, -303}));
 }

@@ -9,12 +9,13 @@
 #include <random>
 
 #include "tests/support/probe.h"
+#include "tests/support/rendering.h"
 #include "tests/support/scenes.h"
 
 namespace brandung {
 namespace {
 
-constexpr std::int64_t clamp_of_samples = std::int64_t{1} << 48;  // 2^16 in units of 2^-32
+constexpr __int128 clamp_of_samples = __int128{1} << 48;  // 2^16 in units of 2^-32
 constexpr uint width = 37, height = 11;
 
 uint pixel_at(uint x, uint y) { return x | y << 16; }
@@ -30,18 +31,21 @@ void add(Film &film, const Part &part) {
     Device &device = test_device();
     const Buffer<uint> pixels(device, part.pixels);
     const BatchParams params{
-        .pixels = uint(part.pixels.size()), .first_sample = part.first, .samples = part.samples, .spp = 64, .columns = 8, .rows = 8};
+        .pixels = uint(part.pixels.size()), .first_sample = part.first, .samples = part.samples, .spp = 64, .columns = {8, 8}, .rows = {4, 4}};
     const std::vector<uint> outside;
     film.add(Batch{.params = params, .pixels = pixels, .camera = {}, .interior = outside}, Buffer<Sample>(device, part.sums));
 }
+
+Integer128 wide(__int128 x) { return {static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(x >> 64)}; }
+
+Sample make_sample(__int128 red, __int128 green, __int128 blue) { return {{wide(red), wide(green), wide(blue)}}; }
 
 Part random_part(uint seed, uint first, uint samples, const std::vector<uint> &pixels) {
     std::mt19937_64 random(seed);
     Part part{pixels, first, samples, {}};
     for (std::size_t i = 0; i < pixels.size() * samples; ++i) {
-        Sample sample{};
-        for (auto &sum : sample.sum) sum = static_cast<std::int64_t>(random()) >> (random() % 60);
-        part.sums.push_back(sample);
+        const auto channel = [&] { return static_cast<std::int64_t>(random()) >> (random() % 60); };
+        part.sums.push_back(make_sample(channel(), channel(), channel()));
     }
     return part;
 }
@@ -53,28 +57,29 @@ std::vector<uint> all_pixels() {
     return pixels;
 }
 
-/// What a pixel should hold, in 128 bits.
+/// What a pixel should hold.
 struct Expected {
-    std::array<std::int64_t, 3> sum{}, odd{};
-    std::array<unsigned __int128, 3> squares{};
-    uint count = 0, odd_count = 0, clamped = 0;
+    std::array<std::array<__int128, 3>, 2> sums{};
+    std::array<__int128, 3> squares{};
+    std::array<uint, 2> counts{};
+    uint clamped = 0;
+    __int128 sum(std::size_t c) const { return sums[0][c] + sums[1][c]; }
 };
 
 void add(std::vector<Expected> &film, const Part &part) {
     for (std::size_t i = 0; i < part.pixels.size(); ++i) {
         Expected &pixel = film[(part.pixels[i] >> 16) * width + (part.pixels[i] & 0xffff)];
         for (uint j = 0; j < part.samples; ++j) {
-            const bool odd = (part.first + j) % 2;
+            const uint half = (part.first + j) % 2;
             bool cut = false;
             for (std::size_t c = 0; c < 3; ++c) {
-                const std::int64_t sum = part.sums[i * part.samples + j].sum[c];
-                const std::int64_t value = std::min(std::max(sum, -clamp_of_samples), clamp_of_samples);
+                const __int128 sum = value_of(part.sums[i * part.samples + j].sum[c]);
+                const __int128 value = std::min(std::max(sum, -clamp_of_samples), clamp_of_samples);
                 cut |= value != sum;
-                pixel.sum[c] += value;
-                if (odd) pixel.odd[c] += value;
-                pixel.squares[c] += static_cast<unsigned __int128>(static_cast<__int128>(value) * value);
+                pixel.sums[half][c] += value;
+                pixel.squares[c] += value * value;
             }
-            ++pixel.count, pixel.odd_count += odd, pixel.clamped += cut;
+            ++pixel.counts[half], pixel.clamped += cut;
         }
     }
 }
@@ -84,13 +89,10 @@ void expect_equal(const Film &film, const std::vector<Expected> &expected) {
     uint clamped = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
-            ASSERT_EQ(pixels[i].sum[c], expected[i].sum[c]) << i;
-            ASSERT_EQ(pixels[i].odd[c], expected[i].odd[c]) << i;
-            ASSERT_EQ(pixels[i].squares[c][0], static_cast<std::uint64_t>(expected[i].squares[c])) << i;
-            ASSERT_EQ(pixels[i].squares[c][1], static_cast<std::uint64_t>(expected[i].squares[c] >> 64)) << i;
+            for (const uint half : {0u, 1u}) ASSERT_TRUE(value_of(pixels[i].sums[half][c]) == expected[i].sums[half][c]) << i << ", half " << half;
+            ASSERT_TRUE(value_of(pixels[i].squares[c]) == expected[i].squares[c]) << i;
         }
-        ASSERT_EQ(pixels[i].count, expected[i].count) << i;
-        ASSERT_EQ(pixels[i].odd_count, expected[i].odd_count) << i;
+        for (const uint half : {0u, 1u}) ASSERT_EQ(pixels[i].counts[half], expected[i].counts[half]) << i << ", half " << half;
         clamped += expected[i].clamped;
     }
     EXPECT_EQ(film.clamped(), clamped);
@@ -105,34 +107,56 @@ TEST(Film, SumsHalvesAndSquaresAreExactOverSeveralBatches) {
     expect_equal(film, expected);
 }
 
-TEST(Film, ManySquaresCarryIntoTheUpperHalf) {
+/// 2^16 of the largest samples, as the brightest background gives; 64 bits hold 2^15 of them.
+TEST(Film, SumsOfTheLargestSamplesDoNotWrap) {
     Film film(test_device(), 1, 1);
-    const Sample largest{{clamp_of_samples, -clamp_of_samples, (std::int64_t{1} << 32) - 1}};
-    const uint samples = 1000;
-    add(film, {{0}, 0, samples, std::vector<Sample>(samples, largest)});
+    constexpr uint samples = 1 << 14, batches = 4;
+    const Sample largest = make_sample(clamp_of_samples, -clamp_of_samples, (std::int64_t{1} << 32) - 1);
+    for (uint batch = 0; batch < batches; ++batch) add(film, {{0}, batch * samples, samples, std::vector<Sample>(samples, largest)});
     const FilmPixel pixel = film.read()[0];
-    // (2^48)^2 * 1000 = 1000 * 2^96: the lower half is 0, the upper 1000 * 2^32.
-    for (const uint c : {0u, 1u}) {
-        EXPECT_EQ(pixel.squares[c][0], 0u);
-        EXPECT_EQ(pixel.squares[c][1], 1000ull << 32);
+    const __int128 count = samples * batches, one = (std::int64_t{1} << 32) - 1;
+    for (const uint half : {0u, 1u}) {
+        EXPECT_TRUE(value_of(pixel.sums[half][0]) == count / 2 * clamp_of_samples);
+        EXPECT_TRUE(value_of(pixel.sums[half][1]) == -(count / 2 * clamp_of_samples));
+        EXPECT_TRUE(value_of(pixel.sums[half][2]) == count / 2 * one);
+        EXPECT_EQ(pixel.counts[half], count / 2);
     }
-    // (2^32 - 1)^2 = 2^64 - 2^33 + 1, a thousand times: 1000 * 2^64 - 1000 * (2^33 - 1).
-    EXPECT_EQ(pixel.squares[2][0], 0 - 1000ull * ((1ull << 33) - 1));
-    EXPECT_EQ(pixel.squares[2][1], 999u);
+    for (const uint c : {0u, 1u}) EXPECT_TRUE(value_of(pixel.squares[c]) == count * clamp_of_samples * clamp_of_samples);
+    EXPECT_TRUE(value_of(pixel.squares[2]) == count * one * one);
     EXPECT_EQ(film.clamped(), 0u);
+    EXPECT_EQ(film.develop()[0], vec3(65536, -65536, 1));
+}
+
+/// The same sums after 2^24 samples, as they stand in a pixel.
+TEST(Film, TheMostSamplesThereCanBeAreDeveloped) {
+    Device &device = test_device();
+    const std::int64_t half_count = std::int64_t{1} << 23;
+    FilmPixel pixel{};
+    for (const uint half : {0u, 1u}) {
+        pixel.sums[half][0] = wide(half_count * clamp_of_samples), pixel.sums[half][1] = wide(-(half_count * clamp_of_samples));
+        pixel.sums[half][2] = wide(half_count * (half == 0 ? 1 : -3)), pixel.counts[half] = uint(half_count);
+    }
+    const Buffer<vec3> picture(device, 1);
+    Kernel(device, "kernels/stages/develop.cl", "develop", {})(1, 1u, Buffer<FilmPixel>(device, std::span(&pixel, 1)), picture);
+    EXPECT_EQ(picture.read()[0], vec3(65536, -65536, -0x1p-32f));
 }
 
 TEST(Film, TooBrightSamplesAreCutAndCountedOnce) {
-    Film film(test_device(), 2, 1);
-    const std::int64_t most = std::numeric_limits<std::int64_t>::max();
-    add(film,
-        {{pixel_at(0, 0), pixel_at(1, 0)}, 0, 2, {{{clamp_of_samples, 0, 0}}, {{clamp_of_samples + 1, -most - 1, 7}}, {{0, 0, most}}, {{1, 1, 1}}}});
-    EXPECT_EQ(film.clamped(), 2u);
+    Film film(test_device(), 2, 2);
+    const __int128 most = std::numeric_limits<std::int64_t>::max(), beyond = (__int128{1} << 64) + clamp_of_samples;
+    add(film, {{pixel_at(0, 0), pixel_at(1, 0), pixel_at(0, 1)},
+               0,
+               2,
+               {make_sample(clamp_of_samples, 0, 0), make_sample(clamp_of_samples + 1, -most - 1, 7), make_sample(0, 0, most), make_sample(1, 1, 1),
+                make_sample(beyond, 0, 0), make_sample(0, -beyond, 0)}});
+    EXPECT_EQ(film.clamped(), 4u);
     const std::vector<FilmPixel> pixels = film.read();
-    EXPECT_EQ(pixels[0].sum[0], 2 * clamp_of_samples);
-    EXPECT_EQ(pixels[0].sum[1], -clamp_of_samples);
-    EXPECT_EQ(pixels[0].sum[2], 7);
-    EXPECT_EQ(pixels[1].sum[2], clamp_of_samples + 1);
+    EXPECT_TRUE(sum_of(pixels[0], 0) == 2 * clamp_of_samples);
+    EXPECT_TRUE(sum_of(pixels[0], 1) == -clamp_of_samples);
+    EXPECT_TRUE(sum_of(pixels[0], 2) == 7);
+    EXPECT_TRUE(sum_of(pixels[1], 2) == clamp_of_samples + 1);
+    EXPECT_TRUE(sum_of(pixels[2], 0) == clamp_of_samples);
+    EXPECT_TRUE(sum_of(pixels[2], 1) == -clamp_of_samples);
 }
 
 TEST(Film, TheOrderOfBatchesAndPixelsDoesNotShow) {
@@ -148,6 +172,33 @@ TEST(Film, TheOrderOfBatchesAndPixelsDoesNotShow) {
     EXPECT_EQ(std::memcmp(left.data(), right.data(), left.size() * sizeof(FilmPixel)), 0);
 }
 
+/// Bands of every number of rows, the last one shorter; batches reach over several.
+TEST(Film, InBandsIsTheSame) {
+    std::vector<Expected> expected(width * height);
+    const std::vector<uint> all = all_pixels(), some(all.begin() + 5, all.begin() + 200);
+    const Part first = random_part(8, 0, 5, all), second = random_part(9, 5, 2, some);
+    add(expected, first), add(expected, second);
+    Film whole(test_device(), width, height);
+    add(whole, first), add(whole, second);
+    const std::vector<vec3> picture = whole.develop();
+    for (const std::size_t rows : {0u, 1u, 2u, 4u, 10u, 11u, 100u}) {
+        Film film(test_device(), width, height, (rows * width + width / 2) * sizeof(FilmPixel));
+        add(film, first), add(film, second);
+        expect_equal(film, expected);
+        EXPECT_EQ(film.develop(), picture) << rows;
+        EXPECT_LE(film.bytes(), whole.bytes());
+    }
+}
+
+TEST(Film, LargerThanTheDevicesMemoryIsRefusedWithTheSizes) {
+    try {
+        Film(test_device(), 65535, 65535);
+        ADD_FAILURE() << "not refused";
+    } catch (const Error &error) {
+        EXPECT_NE(std::string(error.what()).find("a film of 65535 x 65535 pixels takes 671"), std::string::npos) << error.what();
+    }
+}
+
 TEST(Film, DevelopGivesTheMeanAndBlackWithoutSamples) {
     Film film(test_device(), width, height);
     std::vector<Expected> expected(width * height);
@@ -157,7 +208,8 @@ TEST(Film, DevelopGivesTheMeanAndBlackWithoutSamples) {
     const std::vector<vec3> picture = film.develop();
     for (std::size_t i = 0; i < picture.size(); ++i)
         for (std::size_t c = 0; c < 3; ++c) {
-            const long double mean = expected[i].count ? static_cast<long double>(expected[i].sum[c]) * 0x1p-32L / expected[i].count : 0;
+            const uint count = expected[i].counts[0] + expected[i].counts[1];
+            const long double mean = count ? static_cast<long double>(expected[i].sum(c)) * 0x1p-32L / count : 0;
             // The sum, the reciprocal of the count and their product are rounded once each: 3 u.
             ASSERT_LE(std::abs(static_cast<long double>(picture[i][int(c)]) - mean), 3.01L * 0x1p-24L * std::abs(mean)) << i;
         }

@@ -7,9 +7,7 @@ namespace brandung {
 namespace {
 
 TEST(FindAccelerator, FindsEveryKindByItsName) {
-    for (const AcceleratorKind &kind : accelerator_kinds()) {
-        EXPECT_EQ(&find_accelerator(kind.name), &kind);
-    }
+    for (const AcceleratorKind &kind : accelerator_kinds()) EXPECT_EQ(&find_accelerator(kind.name), &kind);
 }
 
 TEST(FindAccelerator, AutoIsTheFirst) {

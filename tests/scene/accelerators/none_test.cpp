@@ -5,7 +5,7 @@
 namespace brandung {
 namespace {
 
-// A letter per reference: its kind.
+/// A letter per reference: its kind.
 BuiltAccelerator build(const std::string &kinds) {
     std::vector<Reference> references;
     for (const char letter : kinds) {
@@ -16,18 +16,14 @@ BuiltAccelerator build(const std::string &kinds) {
 
 std::vector<std::vector<uint>> blocks_of(const BuiltAccelerator &built, uint kind) {
     std::vector<std::vector<uint>> blocks;
-    for (const PrimitiveBlock &block : built.blocks[kind]) {
-        blocks.emplace_back(block.references.begin(), block.references.begin() + block.count);
-    }
+    for (const PrimitiveBlock &block : built.blocks[kind]) blocks.emplace_back(block.references.begin(), block.references.begin() + block.count);
     return blocks;
 }
 
 using Blocks = std::vector<std::vector<uint>>;
 
 TEST(None, NothingMakesNoBlocks) {
-    for (const auto &blocks : build("").blocks) {
-        EXPECT_TRUE(blocks.empty());
-    }
+    for (const auto &blocks : build("").blocks) EXPECT_TRUE(blocks.empty());
 }
 
 TEST(None, ReferencesAreInSceneOrderEightPerBlock) {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-#include "scene/primitives/shape.h"
+#include "scene/primitives/add.h"
 
 namespace brandung {
 namespace {
@@ -191,7 +191,45 @@ TEST(Triangulate, RandomStarsOnAGrid) {
     }
 }
 
-TEST(Triangulate, ManyVerticesTakeNoAge) { EXPECT_EQ(triangulate(spiral(10'000)).size(), 3 * 19'998u); }
+/// Teeth along an axis of the plane, tips apart and reflex corners in line: half of all corners lie in the box of the largest ear.
+Polygon comb(uint teeth, bool upright) {
+    Polygon polygon = {{0, -1, 0}, {float(teeth), -1, 0}};
+    for (uint i = teeth; i > 0; --i) polygon.emplace_back(float(i) - 0.25f, 2, 0), polygon.emplace_back(float(i) - 0.75f, 0, 0);
+    if (upright)
+        for (vec3 &p : polygon) p = vec3(-p.y, p.x, 0);
+    return polygon;
+}
+
+TEST(Triangulate, Combs) {
+    for (const bool upright : {false, true})
+        for (const uint teeth : {1u, 2u, 3u, 10u, 100u}) expect_triangulation(comb(teeth, upright));
+}
+
+/// What searches among all corners takes minutes here.
+TEST(Triangulate, ManyVerticesTakeNoAge) {
+    EXPECT_EQ(triangulate(spiral(100'000)).size(), 3 * 199'998u);
+    for (const bool upright : {false, true}) EXPECT_EQ(triangulate(comb(200'000, upright)).size(), 3 * 400'000u);
+}
+
+/// Turned and tilted, a comb's corners in line are no longer quite: ears between them are as thin as rounding.
+TEST(Triangulate, PolygonsInOrderGiveNoWarnings) {
+    Scene scene;
+    uint thin = 0;
+    for (uint turn = 0; turn < 40; ++turn) {
+        const float angle = 0.1f * float(turn), size = std::pow(10.0f, float(turn % 7) - 3);
+        Polygon polygon = comb(10, turn % 2 == 1);
+        for (vec3 &p : polygon) {
+            const vec2 q = size * vec2(p.x * std::cos(angle) - p.y * std::sin(angle), p.x * std::sin(angle) + p.y * std::cos(angle));
+            p = vec3(q, 0.3f * q.x + 0.7f * q.y);
+        }
+        MeshData mesh;
+        append_polygon(scene, mesh, polygon, {});
+        thin += uint(polygon.size() - 2 - mesh.indices.size() / 3);
+        add_triangle_mesh(scene, 0, std::move(mesh));
+    }
+    EXPECT_GT(thin, 0u) << "there are such ears";
+    for (const auto &[warning, times] : scene.warnings) ADD_FAILURE() << times << " times: " << warning;
+}
 
 }  // namespace
 }  // namespace brandung
