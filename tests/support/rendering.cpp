@@ -15,7 +15,8 @@ Rendering render_scene(const Scene &scene, const RenderOptions &options) {
     Film film(device, scene.film.width, scene.film.height);
     Renderer renderer(device, scene, compiled, on_device, scene.cameras.at(0), options);
     if (const RenderEnd end = renderer.render(film); !end.failure.empty()) throw Error(end.failure);
-    return {film.read(), film.develop(), renderer.integrator().counts(), renderer.integrator().refused(), renderer.integrator().media_lost(), film.clamped()};
+    return {film.read(),   film.develop(), renderer.integrator().counts(), renderer.integrator().refused(), renderer.integrator().media_lost(),
+            film.clamped()};
 }
 
 std::uint64_t film_hash(const std::vector<FilmPixel> &film) {

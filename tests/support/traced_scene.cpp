@@ -30,7 +30,9 @@ Tally sum_of(const Buffer<Tally> &tallies) {
 
 }  // namespace
 
-Ray make_ray(vec3 origin, vec3 direction, float t_max, uint kind) { return {.origin = origin, .t_max = t_max, .direction = direction, .tag = RAY_TAG(kind, NO_HIT)}; }
+Ray make_ray(vec3 origin, vec3 direction, float t_max, uint kind) {
+    return {.origin = origin, .t_max = t_max, .direction = direction, .tag = RAY_TAG(kind, NO_HIT)};
+}
 
 TracedScene::TracedScene(Scene &scene, const std::string &accelerator)
     : compiled_(compile_with(scene, accelerator)), on_device_(test_device(), compiled_) {}

@@ -202,7 +202,7 @@ TEST(Statistics, NameWhatASceneSkips) {
         return false;
     };
     for (const char *name :
-         {"primitive triangle", "primitive smooth_triangle", "primitive frustum", "light directional", "spawn_whitted", "interior"})
+         {"primitive triangle", "primitive smooth_triangle", "primitive frustum", "light directional", "spawn_whitted", "find_interfaces"})
         EXPECT_TRUE(skips(name)) << name;
     EXPECT_FALSE(skips("primitive sphere"));
     EXPECT_FALSE(skips("trace_shadow_rays"));
