@@ -24,15 +24,15 @@ uint rows_of_grid(uint samples) {
     return rows;
 }
 
-/// What all batches have in common.
+/// What all batches have in common. The odd samples' grid is turned, so that two by one cells and one by two make up for each other.
 BatchParams common_params(const FilmSettings &film) {
     const uint even = film.spp - film.spp / 2, odd = std::max(film.spp / 2, 1u), even_rows = rows_of_grid(even), odd_rows = rows_of_grid(odd);
     return {.pixels = 0,
             .first_sample = 0,
             .samples = 0,
             .spp = film.spp,
-            .columns = {even / even_rows, odd / odd_rows},
-            .rows = {even_rows, odd_rows},
+            .columns = {even / even_rows, odd_rows},
+            .rows = {even_rows, odd / odd_rows},
             .seed = film.seed,
             .position = film.pixel};
 }

@@ -1,6 +1,7 @@
 #include "runtime/opencl/source.h"
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -15,7 +16,7 @@ namespace {
 std::string read_kernel(const std::string &path, const Sources &generated) {
     if (const auto file = generated.find(path); file != generated.end()) return file->second;
     if (const char *directory = std::getenv("KERNEL_DIR")) {
-        std::ifstream in(std::string(directory) + "/" + path);
+        std::ifstream in(std::filesystem::path(directory) / std::filesystem::path(path).lexically_relative("kernels"));
         if (in) return {std::istreambuf_iterator<char>(in), {}};
     } else {
         for (const EmbeddedFile &file : embedded_kernels())

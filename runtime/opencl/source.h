@@ -9,7 +9,7 @@ namespace brandung {
 using Sources = std::map<std::string, std::string>;
 
 /// The text of a kernel file with its includes expanded; #line keeps the real names in error messages. Files with #pragma once come once.
-/// Other files are those under kernels/ embedded in the program, or on disk below the folder that the environment's KERNEL_DIR names.
+/// Other files are those under kernels/ embedded in the program, or those in the folder that the environment's KERNEL_DIR names.
 /// Throws Error for a file that does not exist.
 std::string expand_source(const std::string &path, const Sources &generated);
 

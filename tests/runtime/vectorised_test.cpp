@@ -55,7 +55,7 @@ std::string remarks_of(const std::string &scene) {
     const Folder folder;
     std::ofstream(folder.path() / "scene.json") << scene;
     const std::string command = "cd '" + folder.path().string() + "' && mkdir cache && POCL_CACHE_DIR=$PWD/cache POCL_VECTORIZER_REMARKS=1 " +
-                                "POCL_EXTRA_BUILD_FLAGS=-g KERNEL_DIR='" BRANDUNG_SOURCE_DIR "' '" BRANDUNG_PROGRAM
+                                "POCL_EXTRA_BUILD_FLAGS=-g KERNEL_DIR='" BRANDUNG_SOURCE_DIR "/kernels' '" BRANDUNG_PROGRAM
                                 "' render scene.json -o picture.exr --quiet >remarks 2>errors";
     const int status = std::system(command.c_str());
     EXPECT_EQ(status, 0) << read_text(folder.path() / "errors");
