@@ -5,6 +5,7 @@
 typedef struct {
     real3 origin, direction;
     real t_max;
+    real inverse_square;  ///< 1 / direction²
     mask source;                           ///< number of the primitive that it leaves
     real pad;                              ///< by which boxes are grown: more than any rounding error of a crossing
     real3 inverse, shift_low, shift_high;  ///< plane of a box -> t: fma(plane, inverse, shift)
@@ -28,6 +29,7 @@ FUNCTION real axis_of(real3 v, uint axis) { return axis == 0u ? v.x : axis == 1u
 /// `extent`: largest magnitude of a coordinate in the scene. kz must be an axis of the largest component of every direction.
 FUNCTION LaneRay lane_ray(real3 origin, real3 direction, real t_max, uint kz, mask source, float extent) {
     LaneRay ray;
+    ray.inverse_square = 1.0f / dot3(direction, direction);
     ray.origin = origin, ray.direction = direction, ray.t_max = t_max, ray.source = source;
     ray.pad = 0x1p-20f * (largest(absolute(origin)) + extent);
     // A component of 0 would give 0 · ∞; 2^-60 of the largest one moves no ray by a rounding error.

@@ -11,7 +11,7 @@ FUNCTION real3 times(real3 a, real3 b) { return make3(a.x * b.x, a.y * b.y, a.z 
 FUNCTION real3 scaled(real3 a, real s) { return make3(a.x * s, a.y * s, a.z * s); }
 FUNCTION real3 negate(real3 a) { return make3(-a.x, -a.y, -a.z); }
 FUNCTION real3 absolute(real3 a) { return make3(fabs(a.x), fabs(a.y), fabs(a.z)); }
-FUNCTION real dot3(real3 a, real3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+FUNCTION real dot3(real3 a, real3 b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
 FUNCTION real3 unit(real3 a) { return scaled(a, 1.0f / sqrt(dot3(a, a))); }
 
 FUNCTION real where(mask m, real a, real b) { return m ? a : b; }

@@ -23,7 +23,7 @@ FUNCTION Crossing frustum_crossing(const global FrustumBlock *block, uint j, Lan
     const real radius = LANE(block->radius, j), slope = LANE(block->slope, j), half_length = LANE(block->half_length, j);
 
     const real3 f = minus(ray.origin, center);
-    const real nearest = -dot3(f, ray.direction) / dot3(ray.direction, ray.direction);
+    const real nearest = -dot3(f, ray.direction) * ray.inverse_square;
     const real3 m = plus(f, scaled(ray.direction, nearest));
     const real dz = dot3(ray.direction, axis), mz = dot3(m, axis);
     const real3 d = minus(ray.direction, scaled(axis, dz)), x = minus(m, scaled(axis, mz));

@@ -18,7 +18,7 @@ FUNCTION Crossing sphere_crossing(const global SphereBlock *block, uint j, LaneR
     const real3 f = minus(ray.origin, center);
     const real a = dot3(ray.direction, ray.direction);
     const real b = -dot3(f, ray.direction);
-    const real3 to_axis = plus(f, scaled(ray.direction, b / a));
+    const real3 to_axis = plus(f, scaled(ray.direction, b * ray.inverse_square));
     const real discriminant = radius * radius - dot3(to_axis, to_axis);
 
     Crossing crossing;
@@ -28,7 +28,7 @@ FUNCTION Crossing sphere_crossing(const global SphereBlock *block, uint j, LaneR
 
     const real c = SPHERE(offset)(center, radius, ray.origin);
     const real q = b + copysign(sqrt(a * discriminant), b);
-    const real near = minimum(c / q, q / a), far = maximum(c / q, q / a);
+    const real near = minimum(c / q, q * ray.inverse_square), far = maximum(c / q, q * ray.inverse_square);
     crossing.t = where((near > 0.0f) & (radius > 0.0f), near, far);
     crossing.hit &= (crossing.t > 0.0f) & (crossing.t <= ray.t_max);
     LaneBox box;
