@@ -1,7 +1,7 @@
 // Blocks of primitives against one ray (8 primitives at a time) or a packet of 16 rays: what every accelerator's leaves call.
 #pragma once
-#include "generated/constants.h"
 #include "generated/primitives.cl"
+#include "kernels/accelerators/hits.cl"
 #include "kernels/accelerators/packet.cl"
 #include "kernels/core/bits.cl"
 #include "kernels/core/items.cl"
@@ -26,65 +26,6 @@
 #undef Crossing
 
 #include "kernels/core/lanes_1.cl"
-
-/// Axis of the largest component of a direction.
-FUNCTION uint major_axis(vec3 d) {
-    const float x = fabs(d.x), y = fabs(d.y), z = fabs(d.z);
-    return ((x >= y) & (x >= z)) ? 0u : y >= z ? 1u : 2u;
-}
-
-FUNCTION ray_x8 prepare(Ray ray, float extent) {
-    const vec3x8 origin = make3((float8)(ray.origin.x), (float8)(ray.origin.y), (float8)(ray.origin.z));
-    const vec3x8 direction = make3((float8)(ray.direction.x), (float8)(ray.direction.y), (float8)(ray.direction.z));
-    return lane_ray(origin, direction, (float8)(ray.t_max), major_axis(ray.direction), (int8)((int)RAY_SOURCE(ray.tag)), extent);
-}
-
-/// The closest hit so far, what else was met, and how far behind the closest hit that is looked for: where transparent bodies touch, a ray
-/// meets faces of both at one place.
-typedef struct {
-    Hit hit;
-    float next, margin;  ///< t of the second hit, if it is at most `margin` behind; else anything beyond
-} Nearest;
-
-/// Distance within which coincident faces are met even at grazing angles, where rounding of a plane shifts t the more; find_interfaces decides by
-/// the faces' errors what does coincide. 0 in scenes without transparent materials.
-FUNCTION float crowd_margin(vec3 origin, vec3 direction, float extent) {
-    return INTERIOR_SIZE > 0u ? 0x1p-14f * (largest(absolute(origin)) + extent) / largest(absolute(direction)) : 0.0f;
-}
-FUNCTION float16 crowd_margin(vec3x16 origin, vec3x16 direction, float extent) {
-    return INTERIOR_SIZE > 0u ? 0x1p-14f * (largest(absolute(origin)) + extent) / largest(absolute(direction)) : (float16)(0.0f);
-}
-
-FUNCTION PacketHits packet_without_hits(const Packet *packet, float extent) {
-    PacketHits hits;
-    hits.t = packet->t_max, hits.u = (float16)(0.0f), hits.v = (float16)(0.0f), hits.primitive = (uint16)(NO_HIT);
-    hits.next = (float16)(INFINITY), hits.margin = crowd_margin(packet->origin, packet->direction, extent);
-    return hits;
-}
-
-/// Whether there is more than the closest hit.
-FUNCTION bool is_crowded(Nearest nearest) { return nearest.hit.primitive != NO_HIT && nearest.next <= nearest.hit.t + nearest.margin; }
-
-FUNCTION Nearest nothing_hit(Ray ray, float extent) {
-    const Nearest nearest = {{ray.t_max, 0.0f, 0.0f, NO_HIT}, INFINITY, crowd_margin(ray.origin, ray.direction, extent)};
-    return nearest;
-}
-
-#define HIT_LIST_SIZE 8u
-/// The first few hits in the order of (t, primitive).
-typedef struct {
-    Hit hits[HIT_LIST_SIZE];
-    uint count;
-} HitList;
-
-FUNCTION void hit_list_add(HitList *list, Hit hit) {
-    for (uint k = 0u; k < list->count; ++k) {
-        const Hit other = list->hits[k];
-        if (hit.t > other.t || (hit.t == other.t && hit.primitive > other.primitive)) continue;
-        list->hits[k] = hit, hit = other;
-    }
-    if (list->count < HIT_LIST_SIZE) list->hits[list->count++] = hit;
-}
 
 #define CROSS_BLOCK(KIND, Record, name) \
     if (kind == KIND) crossing = name##_crossing(SCENE_ARRAY(scene, Record##Block, blocks[KIND]) + block, 0u, *ray);

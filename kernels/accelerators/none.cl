@@ -6,7 +6,7 @@
 
 static Nearest LEVEL(closest_hit)(Scene scene, Ray ray) {
     ray_x8 lanes = prepare(ray, scene.header->extent);
-    Nearest nearest = nothing_hit(ray, scene.header->extent);
+    Nearest nearest = nothing_hit(&lanes);
 #define TEST(kind, block) LEAF_CLOSEST_HIT(scene, kind, block, &lanes, &nearest)
     FOR_EACH_PRIMITIVE(FOR_EACH_BLOCK)
 #undef TEST

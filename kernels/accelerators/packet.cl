@@ -6,13 +6,6 @@
 
 #define PACKET 16u
 
-/// Closest hits of a packet so far; see Nearest.
-typedef struct {
-    float16 t, u, v;
-    uint16 primitive;
-    float16 next, margin;
-} PacketHits;
-
 /// Bounds of the rays that are alive (t_max >= 0) along one axis. A box's plane p is passed at t = (p - from) * inverse.
 typedef struct {
     float inverse_low, inverse_high;

@@ -26,7 +26,7 @@ FUNCTION uint LEVEL(children)(const global BvhNode *node, const ray_x8 *ray, flo
 static Nearest LEVEL(closest_hit)(Scene scene, Ray ray) {
     const global BvhNode *nodes = SCENE_ARRAY(scene, BvhNode, nodes);
     ray_x8 lanes = prepare(ray, scene.header->extent);
-    Nearest nearest = nothing_hit(ray, scene.header->extent);
+    Nearest nearest = nothing_hit(&lanes);
     ulong stack[BVH_STACK];
     uint size = 0u, current = 0u;
     for (;;) {

@@ -5,7 +5,7 @@
 typedef struct {
     real3 origin, direction;
     real t_max;
-    real inverse_square;  ///< 1 / direction²
+    real inverse_square;                   ///< 1 / direction²
     mask source;                           ///< number of the primitive that it leaves
     real pad;                              ///< by which boxes are grown: more than any rounding error of a crossing
     real3 inverse, shift_low, shift_high;  ///< plane of a box -> t: fma(plane, inverse, shift)
@@ -26,12 +26,15 @@ typedef struct {
 
 FUNCTION real axis_of(real3 v, uint axis) { return axis == 0u ? v.x : axis == 1u ? v.y : v.z; }
 
-/// `extent`: largest magnitude of a coordinate in the scene. kz must be an axis of the largest component of every direction.
+/// By which boxes are grown: more than any rounding error of a crossing. `extent`: largest magnitude of a coordinate in the scene.
+FUNCTION real box_pad(real3 origin, float extent) { return 0x1p-20f * (largest(absolute(origin)) + extent); }
+
+/// kz must be an axis of the largest component of every direction.
 FUNCTION LaneRay lane_ray(real3 origin, real3 direction, real t_max, uint kz, mask source, float extent) {
     LaneRay ray;
     ray.inverse_square = 1.0f / dot3(direction, direction);
     ray.origin = origin, ray.direction = direction, ray.t_max = t_max, ray.source = source;
-    ray.pad = 0x1p-20f * (largest(absolute(origin)) + extent);
+    ray.pad = box_pad(origin, extent);
     // A component of 0 would give 0 · ∞; 2^-60 of the largest one moves no ray by a rounding error.
     const real tiny = 0x1p-60f * largest(absolute(direction));
     const real3 d = make3(where(fabs(direction.x) < tiny, copysign(tiny, direction.x), direction.x),

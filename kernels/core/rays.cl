@@ -1,4 +1,4 @@
-// Rays, boxes and crossings of 8 and of 16 lanes.
+// Rays, boxes and crossings of 8 and of 16 lanes, and one ray prepared for 8 primitives at a time.
 #pragma once
 
 #include "kernels/core/lanes_8.cl"
@@ -18,3 +18,18 @@
 #undef LaneRay
 #undef LaneBox
 #undef Crossing
+
+#include "kernels/core/items.h"
+#include "kernels/core/lanes_1.cl"
+
+/// Axis of the largest component of a direction.
+FUNCTION uint major_axis(vec3 d) {
+    const float x = fabs(d.x), y = fabs(d.y), z = fabs(d.z);
+    return ((x >= y) & (x >= z)) ? 0u : y >= z ? 1u : 2u;
+}
+
+FUNCTION ray_x8 prepare(Ray ray, float extent) {
+    const vec3x8 origin = make3((float8)(ray.origin.x), (float8)(ray.origin.y), (float8)(ray.origin.z));
+    const vec3x8 direction = make3((float8)(ray.direction.x), (float8)(ray.direction.y), (float8)(ray.direction.z));
+    return lane_ray(origin, direction, (float8)(ray.t_max), major_axis(ray.direction), (int8)((int)RAY_SOURCE(ray.tag)), extent);
+}

@@ -58,7 +58,8 @@ FUNCTION HitList hits_at(Scene scene, Ray ray, Hit closest, bool crowded) {
     list.hits[0] = closest, list.count = 1u;
     if (!crowded) return list;
     list.count = 0u;
-    ray.t_max = closest.t + crowd_margin(ray.origin, ray.direction, scene.header->extent);
+    const ray_x8 lanes = prepare(ray, scene.header->extent);
+    ray.t_max = closest.t + crowd_margin(&lanes);
     scene_any_hit(scene, ray, &list);
     keep_coincident(scene, ray, &list);
     return list;
