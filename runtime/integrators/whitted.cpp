@@ -50,14 +50,17 @@ struct Shadows {
         : stride(job.batch + 16),  // strides that are powers of two fall into the same cache sets
           rows(rows),
           spawn(job.device, whitted_cl, "spawn_shadow_rays", job.on_device.lists()),
-          trace_packets(job.device, "kernels/stages/trace_shadow_rays.cl", "trace_shadow_rays", job.on_device.lists()),
           trace_singly(job.device, "kernels/stages/trace_shadow_rays_singly.cl", "trace_shadow_rays_singly", job.on_device.lists()),
           compact(job.device, stride, rows),
           rays(job.device, std::size_t{stride} * rows),
           visible(job.device, std::size_t{stride} * rows),
-          live(job.device, std::size_t{stride} * rows) {}
+          live(job.device, std::size_t{stride} * rows) {
+        if (job.device.info().cpu)
+            trace_packets.emplace(job.device, "kernels/stages/trace_shadow_rays.cl", "trace_shadow_rays", job.on_device.lists());
+    }
     uint stride, rows;
-    Kernel spawn, trace_packets, trace_singly;
+    Kernel spawn, trace_singly;
+    std::optional<Kernel> trace_packets;  ///< where one work-item has many rays
     Compaction compact;
     Buffer<Ray> rays;
     Buffer<std::uint8_t> visible;
@@ -73,7 +76,6 @@ public:
           branching_(branching(job.compiled)),
           params_{job.scene.integrator.max_depth, job.scene.integrator.threshold},
           generate_(job.device, "kernels/stages/generate_camera_rays.cl", "generate_camera_rays", scene_.lists()),
-          intersect_packets_(job.device, "kernels/stages/intersect_packets.cl", "intersect_packets", scene_.lists()),
           evaluate_(job.device, "kernels/stages/evaluate_surfaces.cl", "evaluate_surfaces", scene_.lists()),
           shade_(job.device, whitted_cl, "shade_whitted", scene_.lists()),
           accumulate_(job.device, "kernels/stages/accumulate.cl", "accumulate", scene_.lists()),
@@ -87,11 +89,10 @@ public:
           no_bytes_(job.device, 1),
           no_words_(job.device, 1),
           no_floats_(job.device, 1),
-          counter_(job.device, intersect_packets_.work_items(job.batch) * std::clamp(light_count_, 1u, lights_per_block)) {
-        if (branching_ > 0) {
-            intersect_.emplace(job.device, "kernels/stages/intersect.cl", "intersect", scene_.lists());
-            secondary_.emplace(job, branching_);
-        }
+          counter_(job.device, generate_.work_items(job.batch) * std::clamp(light_count_, 1u, lights_per_block)) {
+        if (job.device.info().cpu) intersect_packets_.emplace(job.device, "kernels/stages/intersect_packets.cl", "intersect_packets", scene_.lists());
+        if (branching_ > 0 || !intersect_packets_) intersect_.emplace(job.device, "kernels/stages/intersect.cl", "intersect", scene_.lists());
+        if (branching_ > 0) secondary_.emplace(job, branching_);
         if (job.compiled.transmits) media_.emplace(job);
         if (light_count_ > 0) shadows_.emplace(job, std::min(light_count_, lights_per_block));
         refused_.fill_zero();
@@ -136,7 +137,7 @@ private:
 
     /// Rays from the eye and their first reflections stay together, the others go their own ways.
     void trace(const Wave &wave) {
-        Kernel &intersect = wave.generation <= 1 ? intersect_packets_ : *intersect_;
+        Kernel &intersect = intersect_packets_ && wave.generation <= 1 ? *intersect_packets_ : *intersect_;
         intersect(wave.count, scene_, wave, wave.level.rays, hits_, media_ ? media_->crowded : no_bytes_, counter_.tallies());
         counter_.add(intersect.work_items(wave.count));
         if (!media_) return;
@@ -168,7 +169,7 @@ private:
         shadows.spawn(Grid(count, rows), scene_, light, shadows.stride, count, points_, interfaces_, shadows.rays, shadows.visible);
         shadows.compact(shadows.visible, shadows.stride, count, rows, 0, 0, shadows.live);
         // Shadow rays from the first reflections are scattered already: one by one they are faster.
-        Kernel &trace = wave.generation == 0 ? shadows.trace_packets : shadows.trace_singly;
+        Kernel &trace = shadows.trace_packets && wave.generation == 0 ? *shadows.trace_packets : shadows.trace_singly;
         trace(Grid(count, rows), scene_, shadows.live, shadows.compact.counts(), shadows.stride, shadows.rays, shadows.visible, counter_.tallies());
         counter_.add(trace.work_items(count) * rows);
     }
@@ -176,8 +177,8 @@ private:
     const DeviceScene &scene_;
     uint light_count_, branching_;
     WhittedParams params_;
-    Kernel generate_, intersect_packets_, evaluate_, shade_, accumulate_;
-    std::optional<Kernel> intersect_;
+    Kernel generate_, evaluate_, shade_, accumulate_;
+    std::optional<Kernel> intersect_packets_, intersect_;  ///< packets where one work-item has many rays
     Levels levels_;
     Buffer<Hit> hits_;
     Buffer<SurfacePoint> points_;
