@@ -38,7 +38,10 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
     command.add_option("--pixel", options.pixel, "where a single sample lies: corner, center or random");
     command.add_option("--camera", options.camera, "name of the scene's camera to use (default: the first)");
     command.add_option("--max-depth", options.max_depth, "rays in a chain, the eye ray being 1")->check(CLI::PositiveNumber);
-    command.add_option("--set", options.settings, "any setting of the scene file, as KEY=VALUE, such as integrator.threshold=0.01")
+    command
+        .add_option("--set", options.settings,
+                    "any setting of the scene file, as KEY=VALUE: the key with dots and numbers (integrator.threshold, objects.0.radius), the value "
+                    "as in JSON")
         ->expected(1)
         ->take_all();
     command.add_option("--device", options.device, "OpenCL device whose name contains this");

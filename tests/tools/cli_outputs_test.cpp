@@ -115,6 +115,15 @@ TEST(Outputs, PngIsTheExrThroughExposureAndTheSrgbCurve) {
     EXPECT_GT(between, 100u) << "the picture has values that test the curve";
 }
 
+/// Pixel for pixel, on every machine.
+TEST(Outputs, TheReadmesPictureIsWhatTheDemoRenders) {
+    const TemporaryFolder folder;
+    render({BRANDUNG_SOURCE_DIR "/scene/examples/whitted_1980.json", "-o", folder.path("demo.png")});
+    const Read shown = read_picture(BRANDUNG_SOURCE_DIR "/scene/pictures/whitted_1980.png"), demo = read_picture(folder.path("demo.png"));
+    EXPECT_EQ(shown.spec.width, demo.spec.width);
+    EXPECT_EQ(shown.values, demo.values);
+}
+
 TEST(Outputs, SeveralAtOnceAreTheSamePicture) {
     const TemporaryFolder folder;
     render({folder.write("scene.json", native_scene()), "-o", folder.path("a.exr"), "-o", folder.path("b.exr"), "-o", folder.path("c.tif"), "-o",

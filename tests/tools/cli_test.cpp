@@ -226,8 +226,8 @@ class ExampleScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(ExampleScene, RendersAndMentionsNoTrouble) {
     const TemporaryFolder folder;
-    const Finished run = run_program({"render", std::string(BRANDUNG_SOURCE_DIR "/scene/examples/") + GetParam() + ".json", "-o",
-                                      folder.path("out.png"), "--size", "40x30", "--spp", "1", "--quiet", "--stats", folder.path("stats.json")});
+    const Finished run = run_program({"render", std::string(BRANDUNG_SOURCE_DIR "/scene/examples/") + GetParam(), "-o", folder.path("out.png"),
+                                      "--size", "40x30", "--spp", "1", "--quiet", "--stats", folder.path("stats.json")});
     expect_success(run);
     EXPECT_EQ(run.err, "");
     const json stats = json::parse(read_file(folder.path("stats.json")));
@@ -242,13 +242,17 @@ namespace {
 std::vector<std::string> example_names() {
     std::vector<std::string> names;
     for (const auto &entry : std::filesystem::directory_iterator(BRANDUNG_SOURCE_DIR "/scene/examples"))
-        if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+        names.push_back(entry.path().filename().string());
     return names;
 }
 
 }  // namespace
 
-INSTANTIATE_TEST_SUITE_P(Cli, ExampleScene, testing::ValuesIn(example_names()), [](const auto &info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Cli, ExampleScene, testing::ValuesIn(example_names()), [](const auto &info) {
+    std::string name = info.param;
+    std::replace(name.begin(), name.end(), '.', '_');
+    return name;
+});
 
 namespace {
 
