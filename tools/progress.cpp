@@ -13,12 +13,14 @@ std::string duration(double seconds) {
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-std::string line_for(const RenderProgress &progress) {
+/// The speed is that since `first`, which is nothing or the end of the first batch: until then kernels are compiled.
+std::string line_for(const RenderProgress &first, const RenderProgress &progress) {
     const double part = static_cast<double>(progress.samples_done) / static_cast<double>(progress.samples_total);
-    const double left = part > 0 ? progress.seconds * (1 - part) / part : 0;
-    const double speed = progress.seconds > 0 ? static_cast<double>(progress.samples_done) * 1e-6 / progress.seconds : 0;
-    const std::string done(static_cast<std::size_t>(part * bar_width), '#');
-    return fmt::format("[{:<30}] {:3.0f} %  {:.2f} M samples/s  {} left", done, 100 * part, speed, duration(left));
+    const std::string done(static_cast<std::size_t>(part * bar_width), '#'), bar = fmt::format("[{:<30}] {:3.0f} %", done, 100 * part);
+    const double samples = static_cast<double>(progress.samples_done - first.samples_done), seconds = progress.seconds - first.seconds;
+    if (!(samples > 0 && seconds > 0)) return bar;
+    const double left = static_cast<double>(progress.samples_total - progress.samples_done) * seconds / samples;
+    return fmt::format("{}  {:.2f} M samples/s  {} left", bar, samples * 1e-6 / seconds, duration(left));
 }
 
 }  // namespace
@@ -35,9 +37,10 @@ void ProgressLine::say(const std::string &what) {
 void ProgressLine::show(const RenderProgress &progress) {
     const auto now = std::chrono::steady_clock::now();
     const bool last = progress.samples_done == progress.samples_total;
+    if (first_.samples_done == 0 && !last) first_ = progress;
     if (quiet_ || (!last && now - shown_ < std::chrono::milliseconds(terminal_ ? 100 : 5000))) return;
     shown_ = now;
-    fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line_for(progress), terminal_ ? "" : "\n");
+    fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line_for(first_, progress), terminal_ ? "" : "\n");
     std::fflush(stderr);
 }
 

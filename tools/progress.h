@@ -18,6 +18,7 @@ public:
 
 private:
     bool quiet_, terminal_;
+    RenderProgress first_{};  ///< after the first batch
     std::chrono::steady_clock::time_point shown_;
 };
 

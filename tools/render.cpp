@@ -130,6 +130,7 @@ int render(const Options &options) {
     if (options.explain) print_result(explain(features(job)));
     handle_interruptions();
     if (!options.quiet) print_plan(job);
+    progress.say("first batch: what the kernel cache does not have is compiled");
 
     PhaseSeconds seconds = job.seconds;
     seconds.read = read_seconds;
