@@ -47,7 +47,8 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorJob &job) {
     try {
         return find_integrator(job.scene.integrator.type).make(job);
     } catch (const SceneError &error) {
-        throw SceneError(job.scene.file + ": " + error.what());
+        const IntegratorSettings &settings = job.scene.integrator;
+        throw SceneError((settings.type_place.empty() ? job.scene.file : settings.type_place) + ": " + error.what());
     }
 }
 

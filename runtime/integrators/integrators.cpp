@@ -18,7 +18,7 @@ const IntegratorKind &find_integrator(const std::string &name) {
         if (kind.name == name) return kind;
         known += std::string(known.empty() ? "" : ", ") + kind.name;
     }
-    throw SceneError("/integrator/type: there is no '" + name + "', only " + known);
+    throw SceneError("there is no '" + name + "', only " + known);
 }
 
 }  // namespace brandung
