@@ -219,6 +219,37 @@ TEST(Native, RefusesWhatIsNoScene) {
     }
 }
 
+/// The warnings of a scene with these members beside its camera.
+std::map<std::string, uint> warnings_of(const std::string &members) {
+    return read_text(R"({"camera": {"from": [0, 0, 5], "at": [0, 0, 0]}, )" + members + "}").warnings;
+}
+
+TEST(Native, WarnsOfScenesThatShowNothing) {
+    const std::string objects = R"("objects": [{"type": "sphere", "material": "a", "center": [0, 0, 0], "radius": 1}], )";
+    const std::string matte = objects + R"("materials": [{"name": "a", "type": "whitted"}])";
+    const std::map<std::string, uint> none = {{"the scene has no objects", 1}},
+                                      dark = {{"the scene has neither lights nor ambient light nor emission: its objects are black", 1}}, fine;
+    EXPECT_EQ(warnings_of(R"("objects": [])"), none);
+    EXPECT_EQ(warnings_of(matte), dark);
+    EXPECT_EQ(warnings_of(matte + R"(, "background": 1)"), dark);
+    EXPECT_EQ(warnings_of(matte + R"(, "ambient": 0.1)"), fine);
+    EXPECT_EQ(warnings_of(matte + R"(, "lights": [{"type": "point", "position": [1, 2, 3], "intensity": 10}])"), fine);
+    EXPECT_EQ(warnings_of(objects + R"("materials": [{"name": "a", "type": "whitted", "emission": 1}])"), fine);
+    EXPECT_EQ(warnings_of(objects + R"("background": 1, "materials": [{"name": "a", "type": "whitted", "reflection": 1}])"), fine);
+}
+
+TEST(Native, WarnsOfPolygonsThatAreNotFlat) {
+    const auto warnings = [](const std::string &last) {
+        return warnings_of(R"("ambient": 1, "materials": [{"name": "a", "type": "whitted"}],
+            "objects": [{"type": "polygon", "material": "a", "vertices": [[0, 0, 7], [1, 0, 7], [1, 1, 7], )" +
+                           last + "]}]");
+    };
+    const std::map<std::string, uint> bent = {{"polygon whose corners do not lie in one plane: its triangles are bent against each other", 1}}, fine;
+    EXPECT_EQ(warnings("[0, 1, 7]"), fine);
+    EXPECT_EQ(warnings("[0, 1, 7.0001]"), fine) << "a file with few digits";
+    EXPECT_EQ(warnings("[0, 1, 7.1]"), bent);
+}
+
 TEST(Native, EveryTruncationIsRefused) {
     const std::string text = small_scene;
     for (std::size_t size = 0; size < text.size(); ++size) EXPECT_NE(error_of(text.substr(0, size)), "") << size;
