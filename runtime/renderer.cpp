@@ -94,10 +94,11 @@ std::size_t Renderer::wave_bytes() const { return integrator_->wave_bytes() + pi
 RenderEnd Renderer::render(Film &film) {
     RenderProgress progress{0, std::uint64_t{film.width()} * film.height() * film_settings_.spp, 0};
     try {
-        return {render_batches(film, progress), ""};
+        const bool complete = render_batches(film, progress);
+        return {complete, "", progress.samples_done, progress.samples_total};
     } catch (const Error &error) {
         if (progress.samples_done == 0) throw;
-        return {false, error.what()};
+        return {false, error.what(), progress.samples_done, progress.samples_total};
     }
 }
 
