@@ -29,7 +29,8 @@ void read_film(const Parameters &parameters, FilmSettings &film) {
 
 void read_integrator(const Parameters &parameters, IntegratorSettings &integrator) {
     integrator.type = parameters.text("type", integrator.type);
-    if (parameters.has("type")) integrator.type_place = parameters.place("type");
+    // Finding the line takes as long as reading the file again; the default is never refused.
+    if (integrator.type != IntegratorSettings().type) integrator.type_place = parameters.place("type");
     integrator.max_depth = parameters.integer("max_depth", integrator.max_depth, 1, max_depth);
     integrator.threshold = parameters.not_negative("threshold", integrator.threshold);
     parameters.expect_all_known();
