@@ -116,7 +116,9 @@ INSTANTIATE_TEST_SUITE_P(
         Setting{"ResolutionNegative", {"--size", "-5x5"}, {"-5"}}, Setting{"ResolutionOfWords", {"--size", "axb"}, {"width", "a"}},
         Setting{"ResolutionWithoutHeight", {"--size", "10x"}, {"height"}}, Setting{"ResolutionOfThree", {"--size", "2x3x4"}, {"height", "3x4"}},
         Setting{"ResolutionBeyondTheLimit", {"--size", "70000x70000"}, {"width", "70000"}},
-        Setting{"UnknownIntegrator", {"--integrator", "magic"}, {": /integrator/type (set on the command line): there is no 'magic', only whitted"}},
+        Setting{
+            "UnknownIntegrator", {"--integrator", "magic"}, {": /integrator/type (set on the command line): there is no \"magic\", only whitted"}},
+        Setting{"IntegratorOfTwoLines", {"--integrator", "a\nb"}, {"there is no \"a?b\""}},
         Setting{"UnknownAccelerator", {"--accelerator", "magic"}, {"magic", "wide_bvh"}},
         Setting{"UnknownPixel", {"--pixel", "edge"}, {"edge", "corner"}}, Setting{"UnknownCamera", {"--camera", "drone"}, {"drone"}},
         Setting{"UnknownDevice", {"--device", "abacus"}, {"abacus"}},
@@ -230,7 +232,7 @@ std::vector<SceneText> bad_scenes() {
         with_more("UnknownIntegrator",
                   "\n"
                   R"("integrator": {"type": "path"},)",
-                  {"scene.json:7: /integrator/type: there is no 'path', only whitted"}),
+                  {"scene.json:7: /integrator/type: there is no \"path\", only whitted"}),
         with_more("TwoKindsOfCameras", R"("cameras": [],)", {"has both"}),
         {"NoCamera", "scene.json", R"({"objects": []})", {"camera"}},
         {"ViewWithoutDirection", "scene.json", R"({"camera": {"from": [1,2,3], "at": [1,2,3]}})", {"at", "from"}},
