@@ -47,7 +47,8 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorJob &job) {
     try {
         return find_integrator(job.scene.integrator.type).make(job);
     } catch (const SceneError &error) {
-        throw SceneError(job.scene.file + ": " + error.what());
+        const IntegratorSettings &settings = job.scene.integrator;
+        throw SceneError((settings.type_place.empty() ? job.scene.file : settings.type_place) + ": " + error.what());
     }
 }
 
@@ -93,10 +94,11 @@ std::size_t Renderer::wave_bytes() const { return integrator_->wave_bytes() + pi
 RenderEnd Renderer::render(Film &film) {
     RenderProgress progress{0, std::uint64_t{film.width()} * film.height() * film_settings_.spp, 0};
     try {
-        return {render_batches(film, progress), ""};
+        const bool complete = render_batches(film, progress);
+        return {complete, "", progress.samples_done, progress.samples_total};
     } catch (const Error &error) {
         if (progress.samples_done == 0) throw;
-        return {false, error.what()};
+        return {false, error.what(), progress.samples_done, progress.samples_total};
     }
 }
 

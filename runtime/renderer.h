@@ -22,6 +22,7 @@ struct RenderOptions {
 struct RenderEnd {
     bool complete = false;  ///< all samples are in the film
     std::string failure;    ///< what the device could not do, if that ended it
+    std::uint64_t samples_done = 0, samples_total = 0;
 };
 
 class Renderer {

@@ -149,6 +149,14 @@ bool is_at_or_below(const std::string &pointer, const std::string &ancestor) {
     return pointer.starts_with(ancestor) && (pointer.size() == ancestor.size() || pointer[ancestor.size()] == '/');
 }
 
+/// Where the file has the value with this pointer; nothing if it has none.
+std::optional<std::size_t> line_of(const Document &document, const std::string &pointer) {
+    if (document.text.empty()) return {};  // settings of a file of another format
+    Reader reader(document.file, document.text, pointer);
+    reader.read();
+    return reader.found_line();
+}
+
 /// The member or element `step` of `value`, made if it is a new member; null if there can be none.
 json *step_into(json &value, const std::string &step) {
     if (value.is_object()) return &value.emplace(step, json::object()).first.value();
@@ -195,18 +203,21 @@ std::string pointer_step(const std::string &key) {
     return result;
 }
 
-void fail_at(const Document &document, const std::string &pointer, const std::string &why) {
-    const auto covers = [&](const std::string &assigned) { return is_at_or_below(pointer, assigned) || is_at_or_below(assigned, pointer); };
-    if (std::any_of(document.assigned.begin(), document.assigned.end(), covers))
-        throw SceneError(printable(document.file + ": " + pointer + " (set on the command line): " + why));
-    std::optional<std::size_t> line;
-    for (std::string ancestor = pointer; !line; ancestor.resize(ancestor.rfind('/'))) {
-        Reader reader(document.file, document.text, ancestor);
-        reader.read();
-        line = reader.found_line();
-        if (ancestor.empty()) break;
+std::string place_of(const Document &document, const std::string &pointer) {
+    std::optional<std::size_t> line = line_of(document, pointer);
+    const auto covers = [&](const std::string &assigned) {
+        return is_at_or_below(pointer, assigned) || (!line && is_at_or_below(assigned, pointer));  // an object made on the way to what was set
+    };
+    if (std::any_of(document.assigned.begin(), document.assigned.end(), covers)) return document.file + ": " + pointer + " (set on the command line)";
+    for (std::string ancestor = pointer; !line && !ancestor.empty();) {
+        ancestor.resize(ancestor.rfind('/'));
+        line = line_of(document, ancestor);
     }
-    throw SceneError(printable(document.file + ":" + std::to_string(line.value_or(1)) + ": " + (pointer.empty() ? "" : pointer + ": ") + why));
+    return document.file + ":" + std::to_string(line.value_or(1)) + (pointer.empty() ? "" : ": " + pointer);
+}
+
+void fail_at(const Document &document, const std::string &pointer, const std::string &why) {
+    throw SceneError(printable(place_of(document, pointer) + ": " + why));
 }
 
 }  // namespace brandung

@@ -24,8 +24,11 @@ void set_value(Document &document, const std::string &assignment);
 /// A key as one step of a JSON pointer.
 std::string pointer_step(const std::string &key);
 
-/// Throws SceneError `file:line: pointer: why`; the line is that of the innermost value on the way to `pointer` that the file has, and is missing if
-/// the value came from set_value.
+/// `file:line: pointer`, where the line is that of the innermost value on the way to `pointer` that the file has; `file: pointer (set on the command
+/// line)` if the value came from set_value. Without the pointer if it is empty.
+std::string place_of(const Document &document, const std::string &pointer);
+
+/// Throws SceneError `place: why`, in one line.
 [[noreturn]] void fail_at(const Document &document, const std::string &pointer, const std::string &why);
 
 }  // namespace brandung

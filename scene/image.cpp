@@ -31,6 +31,9 @@ std::vector<std::uint8_t> eight_bits(const std::vector<vec3> &pixels, float expo
 bool is_file(const std::string &format) { return format != "null" && format != "term"; }
 
 std::unique_ptr<OIIO::ImageOutput> output_for(const std::string &file) {
+    std::error_code ignored;
+    if (fs::is_directory(file, ignored)) throw SceneError(file + ": cannot write there: it is a folder");
+    if (fs::path(file).extension().empty()) throw SceneError(file + ": cannot write a picture: the name has no extension, try .exr or .png");
     auto output = OIIO::ImageOutput::create(file);
     if (!output || !is_file(output->format_name())) {
         OIIO::geterror();

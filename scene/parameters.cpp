@@ -104,12 +104,22 @@ vec3 read_vector(const json &value) {
     return {v[0], v[1], v[2]};
 }
 
-Spectrum read_spectrum(const json &value) {
-    if (value.is_number()) return Spectrum(read_weight(value));
+float read_share(const json &value) {
+    const float number = read_weight(value);
+    if (number > 1) refuse("at most 1", value);
+    return number;
+}
+
+/// One number for all three or an array of three, each read by `read_part`.
+Spectrum read_spectrum_of(const json &value, float (*read_part)(const json &)) {
+    if (value.is_number()) return Spectrum(read_part(value));
     if (!value.is_array() || value.size() != 3) refuse("a number or an array of 3 numbers", value);
-    const std::vector<float> v = read_elements(value, read_weight);
+    const std::vector<float> v = read_elements(value, read_part);
     return {v[0], v[1], v[2]};
 }
+
+Spectrum read_spectrum(const json &value) { return read_spectrum_of(value, read_weight); }
+Spectrum read_fraction(const json &value) { return read_spectrum_of(value, read_share); }
 
 std::string joined(const std::vector<std::string> &names) {
     std::string result;
@@ -131,6 +141,9 @@ std::size_t distance(const std::string &a, const std::string &b) {
     }
     return row.back();
 }
+
+/// Whether one may be the other misspelt: few letters differ, and fewer in short names.
+bool resembles(const std::string &key, const std::string &name) { return distance(key, name) <= std::min<std::size_t>(2, name.size() / 2); }
 
 }  // namespace
 
@@ -172,6 +185,7 @@ std::string Parameters::text(const std::string &name, const std::optional<std::s
 }
 vec3 Parameters::vector(const std::string &name, std::optional<vec3> fallback) const { return read_or(name, fallback, read_vector); }
 Spectrum Parameters::spectrum(const std::string &name, std::optional<Spectrum> fallback) const { return read_or(name, fallback, read_spectrum); }
+Spectrum Parameters::fraction(const std::string &name, std::optional<Spectrum> fallback) const { return read_or(name, fallback, read_fraction); }
 
 uint Parameters::integer(const std::string &name, std::optional<uint> fallback, uint low, uint high) const {
     return read_or(name, fallback, [=](const json &value) { return read_integer(value, low, high); });
@@ -222,6 +236,7 @@ void Parameters::expect_all_known() const {
         if (known_->contains(key)) continue;
         std::vector<std::string> names(known_->begin(), known_->end());
         std::stable_sort(names.begin(), names.end(), [&](const auto &a, const auto &b) { return distance(key, a) < distance(key, b); });
+        if (!names.empty() && resembles(key, names[0])) fail(key, "unknown key; is \"" + names[0] + "\" meant?");
         fail(key, "unknown key; known here: " + joined(names));
     }
 }
@@ -229,14 +244,17 @@ void Parameters::expect_all_known() const {
 void Parameters::fail_missing(const std::string &name) const {
     std::string why = "\"" + name + "\" is missing";
     for (const auto &[key, value] : object_->items())
-        if (!known_->contains(key) && distance(key, name) <= 2) why += " (is \"" + key + "\" meant?)";
+        if (!known_->contains(key) && resembles(key, name)) why += "; \"" + key + "\" is unknown";
     fail("", why);
 }
 
-void Parameters::fail(const std::string &name, const std::string &why) const {
+std::string Parameters::pointer_to(const std::string &name) const {
     const bool present = !name.empty() && object_->contains(name);
-    fail_at(*document_, present ? pointer_ + "/" + pointer_step(name) : pointer_, why);
+    return present ? pointer_ + "/" + pointer_step(name) : pointer_;
 }
+
+std::string Parameters::place(const std::string &name) const { return place_of(*document_, pointer_to(name)); }
+void Parameters::fail(const std::string &name, const std::string &why) const { fail_at(*document_, pointer_to(name), why); }
 
 void Parameters::fail_element(const std::string &name, std::size_t index, const std::string &why) const {
     fail_at(*document_, pointer_ + "/" + pointer_step(name) + "/" + std::to_string(index), why);

@@ -33,6 +33,8 @@ public:
     vec3 vector(const std::string &name, std::optional<vec3> fallback = {}) const;
     /// One number for all three or an array of three; none negative, none beyond the range of a float.
     Spectrum spectrum(const std::string &name, std::optional<Spectrum> fallback = {}) const;
+    /// The same, none beyond 1.
+    Spectrum fraction(const std::string &name, std::optional<Spectrum> fallback = {}) const;
 
     // Arrays; empty if absent.
     std::vector<uint> integers(const std::string &name) const;
@@ -44,7 +46,9 @@ public:
     std::vector<Parameters> children(const std::string &name) const;  ///< an array of objects, empty if absent
 
     void expect_all_known() const;
-    /// `file:line: pointer: why`, of the named value or of the object itself if the name is empty or absent.
+    /// `file:line: pointer`, of the named value or of the object itself if the name is empty or absent; for errors that are found later.
+    std::string place(const std::string &name) const;
+    /// `file:line: pointer: why`, of the same.
     [[noreturn]] void fail(const std::string &name, const std::string &why) const;
     /// The same of an element of the named array, which must have it.
     [[noreturn]] void fail_element(const std::string &name, std::size_t index, const std::string &why) const;
@@ -53,6 +57,7 @@ private:
     const nlohmann::json *find(const std::string &name) const;
     template <class Read> auto read(const std::string &name, Read read_value) const;
     template <class T, class Read> T read_or(const std::string &name, const std::optional<T> &fallback, Read read_value) const;
+    std::string pointer_to(const std::string &name) const;
     [[noreturn]] void fail_missing(const std::string &name) const;
 
     const Document *document_;

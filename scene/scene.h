@@ -28,8 +28,9 @@ struct FilmSettings {
 
 struct IntegratorSettings {
     std::string type = "whitted";
-    uint max_depth = 5;   ///< rays in a chain, the eye ray being 1
-    float threshold = 0;  ///< rays of smaller weight are not spawned
+    std::string type_place;  ///< `file:line: pointer` of what says the type, for errors; empty for the default
+    uint max_depth = 5;      ///< rays in a chain, the eye ray being 1
+    float threshold = 0;     ///< rays of smaller weight are not spawned
 };
 
 struct NamedMaterial {

@@ -26,7 +26,7 @@ void list_devices(bool as_json) {
                             info.memory >> 20, info.unsuitable.empty() ? "" : " | cannot be used: it " + info.unsuitable);
     }
     print_result(as_json ? list.dump(2) + "\n" : text);
-    if (devices.empty()) throw Error("no OpenCL device found: install one, for a CPU Debian's package pocl-opencl-icd");
+    if (devices.empty()) Device::select();  // says why there is none
 }
 
 }  // namespace

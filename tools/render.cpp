@@ -74,6 +74,11 @@ void print_warnings(const std::map<std::string, uint> &warnings) {
     for (const auto &[text, count] : warnings) fmt::print(stderr, "warning: {}{}\n", text, count > 1 ? fmt::format(" ({} times)", count) : "");
 }
 
+void print_threads_beyond(const Options &options, const DeviceInfo &device) {
+    if (options.threads > device.compute_units)
+        fmt::print(stderr, "warning: --threads {}: '{}' has only {} compute units\n", options.threads, device.name, device.compute_units);
+}
+
 void print_plan(const Job &job) {
     const FilmSettings &film = job.scene.film;
     fmt::print(stderr, "{}: {} x {}, {} spp on {}; memory: scene {:.1f} MiB, film {:.1f} MiB, waves at most {:.1f} MiB\n", job.scene.file, film.width,
@@ -81,24 +86,28 @@ void print_plan(const Job &job) {
                mebibytes(job.renderer.wave_bytes()));
 }
 
-std::map<std::string, std::string> metadata(const Job &job, const PhaseSeconds &seconds) {
+std::string samples_taken(const RenderEnd &end) { return fmt::format("{} of {} samples", end.samples_done, end.samples_total); }
+
+std::map<std::string, std::string> metadata(const Job &job, const PhaseSeconds &seconds, const RenderEnd &end) {
     const char *const positions[] = {"corner", "center", "random"};
-    return {{"Software", "brandung " BRANDUNG_VERSION " (" BRANDUNG_GIT ")"},
-            {"brandung:scene", job.scene.file},
-            {"brandung:scene_hash", fmt::format("{:016x}", scene_hash(job.scene, job.compiled))},
-            {"brandung:camera", job.camera.name},
-            {"brandung:integrator", job.scene.integrator.type},
-            {"brandung:max_depth", std::to_string(job.scene.integrator.max_depth)},
-            {"brandung:threshold", fmt::format("{}", job.scene.integrator.threshold)},
-            {"brandung:spp", std::to_string(job.scene.film.spp)},
-            {"brandung:seed", std::to_string(job.scene.film.seed)},
-            {"brandung:pixel", positions[job.scene.film.pixel]},
-            {"brandung:statistics", statistics(job, seconds).dump()}};
+    std::map<std::string, std::string> metadata = {{"Software", "brandung " BRANDUNG_VERSION " (" BRANDUNG_GIT ")"},
+                                                   {"brandung:scene", job.scene.file},
+                                                   {"brandung:scene_hash", fmt::format("{:016x}", scene_hash(job.scene, job.compiled))},
+                                                   {"brandung:camera", job.camera.name},
+                                                   {"brandung:integrator", job.scene.integrator.type},
+                                                   {"brandung:max_depth", std::to_string(job.scene.integrator.max_depth)},
+                                                   {"brandung:threshold", fmt::format("{}", job.scene.integrator.threshold)},
+                                                   {"brandung:spp", std::to_string(job.scene.film.spp)},
+                                                   {"brandung:seed", std::to_string(job.scene.film.seed)},
+                                                   {"brandung:pixel", positions[job.scene.film.pixel]},
+                                                   {"brandung:statistics", statistics(job, seconds, end).dump()}};
+    if (!end.complete) metadata.insert({{"brandung:interrupted", "true"}, {"brandung:samples", samples_taken(end)}});
+    return metadata;
 }
 
-void write_pictures(const Options &options, Job &job, const PhaseSeconds &seconds) {
+void write_pictures(const Options &options, Job &job, const PhaseSeconds &seconds, const RenderEnd &end) {
     Picture picture{job.scene.film.width, job.scene.film.height, job.film.develop(), {}};
-    if (std::any_of(options.outputs.begin(), options.outputs.end(), stores_metadata)) picture.metadata = metadata(job, seconds);
+    if (std::any_of(options.outputs.begin(), options.outputs.end(), stores_metadata)) picture.metadata = metadata(job, seconds, end);
     for (const std::string &output : options.outputs) write_picture(output, picture, job.scene.film.exposure);
 }
 
@@ -127,6 +136,7 @@ int render(const Options &options) {
     progress.clear();
     print_warnings(job.compiled.warnings);
     check_memory(job);
+    print_threads_beyond(options, job.device.info());
     if (options.explain) print_result(explain(features(job)));
     handle_interruptions();
     if (!options.quiet) print_plan(job);
@@ -138,13 +148,13 @@ int render(const Options &options) {
     progress.clear();
 
     double write_seconds = 0;
-    timed(write_seconds, [&] { write_pictures(options, job, seconds); });
+    timed(write_seconds, [&] { write_pictures(options, job, seconds, end); });
     seconds.write = write_seconds;
     seconds.total = seconds_now() - start;
-    if (!options.stats.empty()) write_text(options.stats, statistics(job, seconds).dump(2) + "\n");
+    if (!options.stats.empty()) write_text(options.stats, statistics(job, seconds, end).dump(2) + "\n");
     print_losses(job);
-    if (!end.failure.empty()) throw Error(end.failure + "; the picture so far has been written");
-    if (!end.complete) fmt::print(stderr, "interrupted: the picture so far has been written\n");
+    if (!end.failure.empty()) throw Error(end.failure + "; the picture so far has been written: " + samples_taken(end));
+    if (!end.complete) fmt::print(stderr, "interrupted: {}; pixels not reached are black\n", samples_taken(end));
     return end.complete ? 0 : interrupted_status;
 }
 

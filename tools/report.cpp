@@ -105,7 +105,7 @@ json memory(const Job &job) {
     return {{"scene_bytes", job.on_device.bytes()}, {"wave_bytes", job.renderer.wave_bytes()}, {"film_bytes", job.film.bytes()}};
 }
 
-json statistics(const Job &job, const PhaseSeconds &seconds) {
+json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &end) {
     const FilmSettings &film = job.scene.film;
     const Integrator &integrator = job.renderer.integrator();
     return {{"scene", scene_contents(job.scene, job.compiled)},
@@ -116,6 +116,9 @@ json statistics(const Job &job, const PhaseSeconds &seconds) {
             {"height", film.height},
             {"spp", film.spp},
             {"seed", film.seed},
+            {"interrupted", !end.complete},
+            {"samples_done", end.samples_done},
+            {"samples_total", end.samples_total},
             {"seconds", phases(seconds)},
             {"rays", ray_statistics(integrator.counts())},
             {"refused", integrator.refused()},

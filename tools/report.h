@@ -15,6 +15,6 @@ std::string explain(const nlohmann::json &features);
 /// {"scene_bytes": ..., "wave_bytes": ..., "film_bytes": ...}
 nlohmann::json memory(const Job &job);
 /// The fields of --stats: names are a promise. Of the times those that `seconds` knows.
-nlohmann::json statistics(const Job &job, const PhaseSeconds &seconds);
+nlohmann::json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &end);
 
 }  // namespace brandung

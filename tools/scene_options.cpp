@@ -4,9 +4,12 @@
 
 #include "scene/error.h"
 #include "scene/formats/format.h"
+#include "scene/formats/limits.h"
 
 namespace brandung {
 namespace {
+
+constexpr uint max_threads = 65536;  ///< more than any device has compute units
 
 /// The options that stand for settings of the scene file, after those that are given as such.
 std::vector<std::string> assignments(const SceneOptions &options) {
@@ -32,12 +35,12 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
     command.add_option("scene", options.scene, "scene file: .json (native) or .nff")->required();
     command.add_option("--integrator", options.integrator, "how light gets to the eye (default: the scene's)");
     command.add_option("--accelerator", options.accelerator, "wide_bvh, none or auto (default: the scene's)");
-    command.add_option("--spp", options.spp, "samples per pixel")->check(CLI::PositiveNumber);
+    command.add_option("--spp", options.spp, "samples per pixel")->check(CLI::Range(1u, max_samples));
     command.add_option("--size", options.size, "picture size as WIDTHxHEIGHT");
-    command.add_option("--seed", options.seed, "seed of random numbers");
+    command.add_option("--seed", options.seed, "seed of random numbers")->check(CLI::Range(0u, 0xffffffffu));
     command.add_option("--pixel", options.pixel, "where a single sample lies: corner, center or random");
     command.add_option("--camera", options.camera, "name of the scene's camera to use (default: the first)");
-    command.add_option("--max-depth", options.max_depth, "rays in a chain, the eye ray being 1")->check(CLI::PositiveNumber);
+    command.add_option("--max-depth", options.max_depth, "rays in a chain, the eye ray being 1")->check(CLI::Range(1u, max_depth));
     command
         .add_option("--set", options.settings,
                     "any setting of the scene file, as KEY=VALUE: the key with dots and numbers (integrator.threshold, objects.0.radius), the value "
@@ -46,7 +49,7 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
         ->take_all();
     command.add_option("--device", options.device, "OpenCL device whose name contains this");
     command.add_option("--batch", options.batch, "rays per wave")->check(CLI::Range(1u, 1u << 24))->capture_default_str();
-    command.add_option("--threads", options.threads, "compute units to use of a CPU (default: all)");
+    command.add_option("--threads", options.threads, "compute units to use of a CPU (default: all, as 0)")->check(CLI::Range(0u, max_threads));
 }
 
 Scene read_scene(const SceneOptions &options) { return read_scene(options.scene, assignments(options)); }

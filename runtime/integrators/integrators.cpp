@@ -1,5 +1,6 @@
 #include "runtime/integrators/integrator.h"
 #include "scene/error.h"
+#include "scene/formats/tokens.h"
 
 namespace brandung {
 
@@ -18,7 +19,7 @@ const IntegratorKind &find_integrator(const std::string &name) {
         if (kind.name == name) return kind;
         known += std::string(known.empty() ? "" : ", ") + kind.name;
     }
-    throw SceneError("/integrator/type: there is no '" + name + "', only " + known);
+    throw SceneError("there is no " + quoted(name) + ", only " + known);
 }
 
 }  // namespace brandung

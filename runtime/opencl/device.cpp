@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "runtime/opencl/implementation.h"
+#include "runtime/opencl/kernel_cache.h"
 
 namespace brandung {
 namespace {
@@ -89,8 +90,14 @@ cl::Device limited(const cl::Device &device, uint threads) {
     return parts.at(0);
 }
 
+/// PoCL has no device where it cannot write its cache.
+std::string no_device() {
+    const std::string fault = kernel_cache_fault();
+    return "no OpenCL device found: " + (fault.empty() ? "install one, for a CPU Debian's package pocl-opencl-icd" : fault);
+}
+
 std::string nothing_found(const std::string &name, const std::vector<Candidate> &all) {
-    if (all.empty()) return "no OpenCL device found: install one, for a CPU Debian's package pocl-opencl-icd";
+    if (all.empty()) return no_device();
     std::string text = name.empty() ? "no suitable OpenCL device" : "no suitable OpenCL device matches '" + name + "'";
     for (const Candidate &candidate : all)
         text += "; '" + candidate.info.name + "' " + (candidate.info.unsuitable.empty() ? "does not match" : candidate.info.unsuitable);

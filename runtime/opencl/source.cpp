@@ -18,10 +18,10 @@ std::string read_kernel(const std::string &path, const Sources &generated) {
     if (const char *directory = std::getenv("KERNEL_DIR")) {
         std::ifstream in(std::filesystem::path(directory) / std::filesystem::path(path).lexically_relative("kernels"));
         if (in) return {std::istreambuf_iterator<char>(in), {}};
-    } else {
-        for (const EmbeddedFile &file : embedded_kernels())
-            if (file.path == path) return std::string(file.text);
+        throw Error("no such kernel source: " + path + " in KERNEL_DIR=" + directory);
     }
+    for (const EmbeddedFile &file : embedded_kernels())
+        if (file.path == path) return std::string(file.text);
     throw Error("no such kernel source: " + path);
 }
 

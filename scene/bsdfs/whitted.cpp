@@ -10,13 +10,6 @@ constexpr uint max_priority = 1u << 24;
 
 bool any_positive(Spectrum s) { return s.x > 0 || s.y > 0 || s.z > 0; }
 
-/// A weight of a secondary ray, which cannot have more energy than the ray that made it.
-Spectrum read_fraction(const Parameters &parameters, const std::string &name) {
-    const Spectrum fraction = parameters.spectrum(name, Spectrum(0));
-    if (glm::any(glm::greaterThan(fraction, Spectrum(1)))) parameters.fail(name, "must be at most 1");
-    return fraction;
-}
-
 }  // namespace
 
 Material make_material(const Whitted &whitted) {
@@ -36,8 +29,9 @@ Material read_whitted(const Parameters &parameters) {
     whitted.ambient = parameters.spectrum("ambient", whitted.diffuse);
     whitted.specular = parameters.spectrum("specular", Spectrum(0));
     whitted.exponent = parameters.positive("exponent", 50.0f);
-    whitted.reflection = read_fraction(parameters, "reflection");
-    whitted.transmission = read_fraction(parameters, "transmission");
+    // A secondary ray cannot have more energy than the ray that made it.
+    whitted.reflection = parameters.fraction("reflection", Spectrum(0));
+    whitted.transmission = parameters.fraction("transmission", Spectrum(0));
     whitted.fresnel = parameters.boolean("fresnel", false);
     Material material = make_material(whitted);
     material.eta = parameters.positive("eta", 1.5f);

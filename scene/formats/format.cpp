@@ -13,6 +13,27 @@ namespace brandung {
 Scene read_native(const std::string &file, const std::vector<std::string> &assignments);
 Scene read_nff(const std::string &file, const std::vector<std::string> &assignments);
 
+namespace {
+
+bool is_dark(const Scene &scene) {
+    const auto any = [](Spectrum s) { return s.x > 0 || s.y > 0 || s.z > 0; };
+    const auto shines = [&](const NamedMaterial &material) {
+        const bool shows_background = (material.record.flags & (MATERIAL_REFLECTS | MATERIAL_TRANSMITS)) != 0 && any(scene.background);
+        return any(material.record.emission) || shows_background;
+    };
+    return scene.lights.empty() && !any(scene.ambient) && std::none_of(scene.materials.begin(), scene.materials.end(), shines);
+}
+
+/// What makes a picture that shows nothing, and is rarely meant.
+void warn_of_nothing_to_see(Scene &scene) {
+    if (scene.shapes.empty())
+        ++scene.warnings["the scene has no objects"];
+    else if (is_dark(scene))
+        ++scene.warnings["the scene has neither lights nor ambient light nor emission: its objects are black"];
+}
+
+}  // namespace
+
 const std::vector<SceneFormat> &scene_formats() {
     static const std::vector<SceneFormat> formats = {
         {".json", read_native},
@@ -27,7 +48,11 @@ Scene read_scene(const std::string &file, const std::vector<std::string> &assign
     std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
     std::string known;
     for (const SceneFormat &format : scene_formats()) {
-        if (extension == format.extension) return format.read(file, assignments);
+        if (extension == format.extension) {
+            Scene scene = format.read(file, assignments);
+            warn_of_nothing_to_see(scene);
+            return scene;
+        }
         known += std::string(" ") + format.extension;
     }
     throw SceneError(file + ": unknown scene format \"" + extension + "\"; known by extension:" + known);

@@ -1,4 +1,6 @@
 /// The native scene format: JSON, as `brandung.schema.json` describes it.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "scene/bsdfs/bsdf.h"
@@ -72,7 +74,7 @@ CameraDescription read_camera(const Parameters &parameters, const std::string &n
     camera.at = parameters.vector("at");
     camera.up = parameters.vector("up", camera.up);
     const float degrees = parameters.positive("fov", 45.0f);
-    if (!(degrees < 180)) parameters.fail("fov", "must be below 180 degrees");
+    if (!(degrees < 180)) parameters.fail("fov", fmt::format("must be below 180 degrees, got {:g}", degrees));
     camera.fov = glm::radians(degrees);
     camera.inside = read_inside(parameters, scene);
     parameters.expect_all_known();
@@ -81,7 +83,8 @@ CameraDescription read_camera(const Parameters &parameters, const std::string &n
 }
 
 void read_cameras(const Parameters &root, Scene &scene) {
-    if (root.has("camera") == root.has("cameras")) root.fail("", "needs either \"camera\" or \"cameras\"");
+    if (root.has("camera") && root.has("cameras")) root.fail("cameras", "the scene has both \"camera\" and \"cameras\", but needs only one of them");
+    if (!root.has("camera") && !root.has("cameras")) root.fail("", "needs either \"camera\" or \"cameras\"");
     if (root.has("camera")) {
         const Parameters parameters = root.child("camera");
         scene.cameras.push_back(read_camera(parameters, parameters.text("name", "camera"), scene));
@@ -103,6 +106,7 @@ void check_keys(const Parameters &root) {
 
 Scene read_native(const std::string &file, const std::vector<std::string> &assignments) {
     Document document = read_document(file);
+    Parameters(document, "");  // what is no object is refused as such, not as one without the members to set
     for (const std::string &assignment : assignments) set_value(document, assignment);
     const Parameters root(document, "");
     check_keys(root);

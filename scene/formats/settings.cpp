@@ -5,12 +5,13 @@
 
 #include "scene/accelerators/accelerator.h"
 #include "scene/formats/format.h"
+#include "scene/formats/limits.h"
 #include "scene/parameters.h"
 
 namespace brandung {
 namespace {
 
-constexpr uint max_resolution = 65535, max_samples = 1u << 24, max_depth = 1000;
+constexpr uint max_resolution = 65535;
 constexpr float max_exposure = 100;  ///< [EV]: the brightest radiance of a film, 2^16, times 2 to this power is a float
 
 void read_film(const Parameters &parameters, FilmSettings &film) {
@@ -19,6 +20,7 @@ void read_film(const Parameters &parameters, FilmSettings &film) {
     film.spp = parameters.integer("spp", film.spp, 1, max_samples);
     film.seed = parameters.integer("seed", film.seed);
     film.pixel = parameters.choice("pixel", {"corner", "center", "random"}, film.pixel);
+    if (film.pixel == PIXEL_CORNER && film.spp != 1) parameters.fail("pixel", fmt::format("'corner' takes one sample per pixel, not {}", film.spp));
     film.exposure = parameters.number("exposure", film.exposure);
     if (std::abs(film.exposure) > max_exposure)
         parameters.fail("exposure", fmt::format("must be from -{0:g} to {0:g} EV, got {1:g}", max_exposure, film.exposure));
@@ -27,6 +29,8 @@ void read_film(const Parameters &parameters, FilmSettings &film) {
 
 void read_integrator(const Parameters &parameters, IntegratorSettings &integrator) {
     integrator.type = parameters.text("type", integrator.type);
+    // Finding the line takes as long as reading the file again; the default is never refused.
+    if (integrator.type != IntegratorSettings().type) integrator.type_place = parameters.place("type");
     integrator.max_depth = parameters.integer("max_depth", integrator.max_depth, 1, max_depth);
     integrator.threshold = parameters.not_negative("threshold", integrator.threshold);
     parameters.expect_all_known();

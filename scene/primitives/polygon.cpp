@@ -1,6 +1,9 @@
 /// Polygons: made into triangles when they are read.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "scene/parameters.h"
 #include "scene/primitives/add.h"
 #include "scene/primitives/kinds.h"
@@ -19,6 +22,26 @@ std::vector<uint> triangles_with_area(const std::vector<vec3> &vertices) {
     return triangles;
 }
 
+/// By how much the corners may leave the mean plane, as a part of the polygon's size: more than measured rooms do (the Cornell box has 1e-3).
+constexpr double flatness = 1e-2;
+
+/// Whether the corners lie in one plane. The normal is that of the vector area (Newell); without area there is no plane to leave.
+bool is_flat(const std::vector<vec3> &vertices) {
+    const glm::dvec3 origin(vertices[0]);
+    glm::dvec3 area(0), mean(0);
+    double size = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const glm::dvec3 corner = glm::dvec3(vertices[i]) - origin;
+        area += glm::cross(corner, glm::dvec3(vertices[(i + 1) % vertices.size()]) - origin);
+        mean += corner / double(vertices.size());
+        size = std::max(size, glm::length(corner));
+    }
+    if (glm::length(area) == 0) return true;
+    const glm::dvec3 normal = glm::normalize(area);
+    return std::all_of(vertices.begin(), vertices.end(),
+                       [&](const vec3 &vertex) { return std::abs(glm::dot(normal, glm::dvec3(vertex) - origin - mean)) <= flatness * size; });
+}
+
 }  // namespace
 
 void append_polygon(Scene &scene, MeshData &mesh, const std::vector<vec3> &vertices, const std::vector<vec3> &normals) {
@@ -27,6 +50,7 @@ void append_polygon(Scene &scene, MeshData &mesh, const std::vector<vec3> &verti
         ++scene.warnings["polygon without area: left out"];
         return;
     }
+    if (!is_flat(vertices)) ++scene.warnings["polygon whose corners do not lie in one plane: its triangles are bent against each other"];
     const uint first = uint(mesh.positions.size());
     mesh.positions.insert(mesh.positions.end(), vertices.begin(), vertices.end());
     mesh.normals.insert(mesh.normals.end(), normals.begin(), normals.end());

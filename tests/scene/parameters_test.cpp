@@ -102,6 +102,17 @@ TEST(SetValue, ErrorsSayThatTheValueIsNotTheFiles) {
     EXPECT_EQ(error_of([&] { Parameters(document, "/a").positive("b"); }), "scene.json: /a/b (set on the command line): must be positive, got -1");
 }
 
+TEST(SetValue, ErrorsOfOtherValuesStayTheFiles) {
+    Document document = document_of("{\n\"a\": {\n\"c\": 1}}");
+    set_value(document, "a.b=-1");
+    set_value(document, "d.e=1");
+    EXPECT_EQ(error_of([&] { fail_at(document, "", "why"); }), "scene.json:1: why");
+    EXPECT_EQ(error_of([&] { fail_at(document, "/a", "why"); }), "scene.json:2: /a: why");
+    EXPECT_EQ(error_of([&] { fail_at(document, "/a/c", "why"); }), "scene.json:3: /a/c: why");
+    EXPECT_EQ(error_of([&] { fail_at(document, "/a/b/0", "why"); }), "scene.json: /a/b/0 (set on the command line): why");
+    EXPECT_EQ(error_of([&] { fail_at(document, "/d", "why"); }), "scene.json: /d (set on the command line): why");
+}
+
 TEST(Parameters, GivesTypedValuesAndFallbacks) {
     const Document document =
         document_of(R"({"number": 1.5, "whole": 3.0, "yes": true, "text": "b", "vector": [1, 2, 3], "grey": 0.5, "red": [1, 0, 0],
@@ -164,6 +175,13 @@ TEST(Parameters, RefusesNumbersOutOfRange) {
     EXPECT_EQ(error_at(R"({"x": [1e16, 0, 0]})", [](const auto &p) { p.vector("x"); }).substr(0, 24), "scene.json:2: /a/x/0: mu");
 }
 
+TEST(Parameters, RefusesFractionsBeyondOne) {
+    const auto read = [](const auto &p) { p.fraction("x"); };
+    EXPECT_EQ(error_at(R"({"x": 1.5})", read), "scene.json:2: /a/x: must be at most 1, got 1.5");
+    EXPECT_EQ(error_at(R"({"x": [0, 1, 2]})", read), "scene.json:2: /a/x/2: must be at most 1, got 2");
+    EXPECT_EQ(error_at(R"({"x": 1})", read), "");
+}
+
 TEST(Parameters, RefusesWhatIsNoWholeNumberInRange) {
     const auto read = [](const Parameters &p) { p.integer("x", {}, 1, 100); };
     const std::string at = "scene.json:2: /a/x: must be a whole number from 1 to 100, got ";
@@ -175,7 +193,8 @@ TEST(Parameters, RefusesWhatIsNoWholeNumberInRange) {
 TEST(Parameters, NamesWhatIsMissing) {
     EXPECT_EQ(error_at("{}", [](const auto &p) { p.number("radius"); }), "scene.json:2: /a: \"radius\" is missing");
     EXPECT_EQ(error_at(R"({"radios": 1})", [](const auto &p) { p.number("radius"); }),
-              "scene.json:2: /a: \"radius\" is missing (is \"radios\" meant?)");
+              "scene.json:2: /a: \"radius\" is missing; \"radios\" is unknown");
+    EXPECT_EQ(error_at(R"({"up": 1})", [](const auto &p) { p.number("at"); }), "scene.json:2: /a: \"at\" is missing") << "no likeness";
 }
 
 TEST(Parameters, RefusesUnknownKeysWithTheNearestKnownFirst) {
@@ -183,7 +202,8 @@ TEST(Parameters, RefusesUnknownKeysWithTheNearestKnownFirst) {
         p.number("center", 0.0f), p.number("material", 0.0f), p.number("radius", 0.0f);
         p.expect_all_known();
     };
-    EXPECT_EQ(error_at("{\"center\": 1,\n\"raduis\": 2}", read), "scene.json:3: /a/raduis: unknown key; known here: radius, center, material");
+    EXPECT_EQ(error_at("{\"center\": 1,\n\"raduis\": 2}", read), "scene.json:3: /a/raduis: unknown key; is \"radius\" meant?");
+    EXPECT_EQ(error_at("{\"center\": 1,\n\"diameter\": 2}", read), "scene.json:3: /a/diameter: unknown key; known here: center, material, radius");
     EXPECT_EQ(error_at("{\"center\": 1}", read), "");
 }
 

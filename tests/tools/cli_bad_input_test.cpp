@@ -66,21 +66,22 @@ INSTANTIATE_TEST_SUITE_P(Cli, BadUsage,
                                          Usage{"UnknownOption", {"render", "SCENE", "-o", "OUT", "--shiny"}, "--shiny"},
                                          Usage{"NoScene", {"render", "-o", "OUT"}, "scene"}, Usage{"NoOutput", {"render", "SCENE"}, "--output"},
                                          Usage{"OutputWithoutName", {"render", "SCENE", "-o"}, "--output"},
-                                         Usage{"SppZero", {"render", "SCENE", "-o", "OUT", "--spp", "0"}, "--spp"},
+                                         Usage{"SppZero", {"render", "SCENE", "-o", "OUT", "--spp", "0"}, "1 to 16777216"},
                                          Usage{"SppNegative", {"render", "SCENE", "-o", "OUT", "--spp", "-1"}, "--spp"},
                                          Usage{"SppNoNumber", {"render", "SCENE", "-o", "OUT", "--spp", "many"}, "--spp"},
-                                         Usage{"SppBeyondAnInteger", {"render", "SCENE", "-o", "OUT", "--spp", "5000000000"}, "--spp"},
+                                         Usage{"SppBeyondAnInteger", {"render", "SCENE", "-o", "OUT", "--spp", "9999999999999"}, "1 to 16777216"},
                                          Usage{"BatchZero", {"render", "SCENE", "-o", "OUT", "--batch", "0"}, "--batch"},
                                          Usage{"BatchHuge", {"render", "SCENE", "-o", "OUT", "--batch", "99999999999"}, "--batch"},
                                          Usage{"SizeWithoutCross", {"render", "SCENE", "-o", "OUT", "--size", "100"}, "--size"},
-                                         Usage{"DepthZero", {"render", "SCENE", "-o", "OUT", "--max-depth", "0"}, "--max-depth"},
+                                         Usage{"DepthZero", {"render", "SCENE", "-o", "OUT", "--max-depth", "0"}, "1 to 1000"},
                                          Usage{"SameOutputTwice", {"render", "SCENE", "-o", "OUT", "-o", "OUT"}, "--output"},
                                          Usage{"StatisticsInTheOutput", {"render", "SCENE", "-o", "OUT", "--stats", "OUT"}, "--stats"},
                                          Usage{
                                              "StatisticsInTheOutputByAnotherName", {"render", "SCENE", "-o", "OUT", "--stats", "DETOUR"}, "--stats"},
                                          Usage{"StatisticsInTheScene", {"render", "SCENE", "-o", "OUT", "--stats", "SCENE"}, "--stats"},
-                                         Usage{"SeedNegative", {"render", "SCENE", "-o", "OUT", "--seed", "-1"}, "--seed"},
-                                         Usage{"ThreadsNegative", {"render", "SCENE", "-o", "OUT", "--threads", "-2"}, "--threads"}),
+                                         Usage{"SeedNegative", {"render", "SCENE", "-o", "OUT", "--seed", "-1"}, "0 to 4294967295"},
+                                         Usage{"SeedHuge", {"render", "SCENE", "-o", "OUT", "--seed", "5000000000"}, "0 to 4294967295"},
+                                         Usage{"ThreadsNegative", {"render", "SCENE", "-o", "OUT", "--threads", "-2"}, "0 to 65536"}),
                          [](const auto &info) { return info.param.name; });
 
 // ---- settings --------------------------------------------------------------------------------------------------------------------------------
@@ -115,12 +116,16 @@ INSTANTIATE_TEST_SUITE_P(
         Setting{"ResolutionNegative", {"--size", "-5x5"}, {"-5"}}, Setting{"ResolutionOfWords", {"--size", "axb"}, {"width", "a"}},
         Setting{"ResolutionWithoutHeight", {"--size", "10x"}, {"height"}}, Setting{"ResolutionOfThree", {"--size", "2x3x4"}, {"height", "3x4"}},
         Setting{"ResolutionBeyondTheLimit", {"--size", "70000x70000"}, {"width", "70000"}},
-        Setting{"UnknownIntegrator", {"--integrator", "magic"}, {"magic", "whitted"}},
+        Setting{
+            "UnknownIntegrator", {"--integrator", "magic"}, {": /integrator/type (set on the command line): there is no \"magic\", only whitted"}},
+        Setting{"IntegratorOfTwoLines", {"--integrator", "a\nb"}, {"there is no \"a?b\""}},
         Setting{"UnknownAccelerator", {"--accelerator", "magic"}, {"magic", "wide_bvh"}},
         Setting{"UnknownPixel", {"--pixel", "edge"}, {"edge", "corner"}}, Setting{"UnknownCamera", {"--camera", "drone"}, {"drone"}},
         Setting{"UnknownDevice", {"--device", "abacus"}, {"abacus"}},
-        Setting{"CornerWithManySamples", {"--pixel", "corner", "--spp", "4"}, {"corner", "4"}},
-        Setting{"DepthBeyondTheLimit", {"--max-depth", "100000"}, {"max_depth", "100000"}},
+        Setting{"CornerWithManySamples",
+                {"--pixel", "corner", "--spp", "4"},
+                {": /film/pixel (set on the command line): 'corner' takes one sample per pixel, not 4"}},
+        Setting{"DepthBeyondTheLimit", {"--max-depth", "100000"}, {"--max-depth", "1 to 1000"}},
         Setting{"SetWithoutValue", {"--set", "film.spp"}, {"film.spp", "KEY=VALUE"}}, Setting{"SetWithoutKey", {"--set", "=1"}, {"KEY=VALUE"}},
         Setting{"SetOfUnknownKey", {"--set", "film.colour=1"}, {"colour"}}, Setting{"SetOfUnknownSection", {"--set", "magic=1"}, {"magic"}},
         Setting{"SetToWrongType", {"--set", "film.spp=lots"}, {"spp", "lots"}}, Setting{"SetToZero", {"--set", "film.spp=0"}, {"spp", "0"}},
@@ -224,7 +229,11 @@ std::vector<SceneText> bad_scenes() {
         {"InfiniteNative", "scene.json", native_scene(sphere + R"("radius": Infinity})"), {"scene.json:8:"}},
         {"OverflowNative", "scene.json", native_scene(sphere + R"("radius": 1e999})"), {"scene.json:8:"}},
         with_more("UnknownSection", R"("magic": 1,)", {"magic"}),
-        with_more("TwoKindsOfCameras", R"("cameras": [],)", {"camera"}),
+        with_more("UnknownIntegrator",
+                  "\n"
+                  R"("integrator": {"type": "path"},)",
+                  {"scene.json:7: /integrator/type: there is no \"path\", only whitted"}),
+        with_more("TwoKindsOfCameras", R"("cameras": [],)", {"has both"}),
         {"NoCamera", "scene.json", R"({"objects": []})", {"camera"}},
         {"ViewWithoutDirection", "scene.json", R"({"camera": {"from": [1,2,3], "at": [1,2,3]}})", {"at", "from"}},
         {"UpAlongTheView", "scene.json", R"({"camera": {"from": [0,0,3], "at": [0,0,0], "up": [0,0,1]}})", {"up", "parallel"}},
@@ -344,7 +353,7 @@ TEST(BadFile, ASceneWithoutObjectsIsBackground) {
         folder.write("scene.json", R"({"film": {"width": 8, "height": 8}, "background": 1, "camera": {"from": [0,0,3], "at": [0,0,0]}})");
     const Finished run = run_program({"render", scene, "-o", folder.path("out.png"), "--quiet"});
     EXPECT_EQ(run.status, 0) << run.err;
-    EXPECT_EQ(run.err, "");
+    EXPECT_EQ(run.err, "warning: the scene has no objects\n");
 }
 
 // ---- outputs ---------------------------------------------------------------------------------------------------------------------------------
@@ -353,7 +362,8 @@ TEST(BadOutput, UnknownPictureType) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.json", native_scene());
     expect_render_fails(folder, scene, {"-o", folder.path("out.xyz")}, 1, {folder.path("out.xyz"), "xyz"});
-    expect_render_fails(folder, scene, {"-o", folder.path("out")}, 1, {folder.path("out")});
+    expect_render_fails(folder, scene, {"-o", folder.path("out")}, 1, {folder.path("out") + ": cannot write a picture: the name has no extension"});
+    expect_render_fails(folder, scene, {"-o", "/tmp"}, 1, {"/tmp: cannot write there: it is a folder"});
     for (const char *name : {"out.zfile", "out.null", "out.term"})
         expect_render_fails(folder, scene, {"-o", folder.path(name)}, 1, {folder.path(name), "cannot write"});
     expect_render_fails(folder, scene, {"-o", folder.path("good.png"), "-o", folder.path("out.xyz")}, 1, {folder.path("out.xyz")});
@@ -472,5 +482,16 @@ TEST(BadDevice, KernelFolderThatIsNotThere) {
     const TemporaryFolder folder;
     RunOptions options;
     options.environment["KERNEL_DIR"] = folder.path("nowhere");
-    expect_render_fails(folder, folder.write("scene.json", native_scene()), {}, 1, {"kernels/"}, options);
+    expect_render_fails(folder, folder.write("scene.json", native_scene()), {}, 1, {" in KERNEL_DIR=" + folder.path("nowhere")}, options);
+}
+
+/// Where PoCL finds no device without its cache, and where it finds one but cannot build.
+TEST(BadDevice, KernelCacheThatCannotBeWrittenIsNamed) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.json", native_scene()), file = folder.write("file", "");
+    RunOptions options;
+    options.environment["POCL_CACHE_DIR"] = file + "/cache";
+    expect_render_fails(folder, scene, {}, 1, {"PoCL cannot write its kernel cache " + file + "/cache (Not a directory)"}, options);
+    options.environment["POCL_CACHE_DIR"] = "/proc";
+    expect_render_fails(folder, scene, {}, 1, {"cannot be built", "PoCL cannot write its kernel cache /proc ("}, options);
 }

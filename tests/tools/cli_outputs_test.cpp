@@ -75,7 +75,9 @@ TEST(Outputs, ExrNamesProgramSettingsSceneAndStatistics) {
     EXPECT_EQ(picture.text("brandung:seed"), "3");
     EXPECT_EQ(picture.text("brandung:pixel"), "center");
     EXPECT_EQ(picture.text("brandung:camera"), "camera");
+    EXPECT_EQ(picture.text("brandung:interrupted"), "");
     const json statistics = json::parse(picture.text("brandung:statistics"));
+    EXPECT_EQ(statistics.at("interrupted"), false);
     EXPECT_EQ(statistics.at("rays").at("camera"), 32 * 24 * 2);
     EXPECT_EQ(statistics.at("accelerator"), "wide_bvh");
     EXPECT_GT(statistics.at("seconds").at("render"), 0);

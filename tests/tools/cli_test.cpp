@@ -1,4 +1,5 @@
 /// The program's subcommands where nothing is wrong: what they print, write and return.
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -272,9 +273,17 @@ TEST(CliInterrupted, WritesThePictureSoFarAndExits130) {
     const Finished run = interrupted_render(folder, {"-o", folder.path("out.png"), "--stats", folder.path("stats.json")}, SIGINT);
     EXPECT_EQ(run.status, 130) << "signal " << run.signal << "\n" << run.err;
     EXPECT_FALSE(run.timed_out);
-    EXPECT_NE(run.err.find("interrupted: the picture so far has been written\n"), std::string::npos) << run.err;
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"out.png", "scene.json", "stats.json"}));
-    const json rays = json::parse(read_file(folder.path("stats.json"))).at("rays");
+    const json stats = json::parse(read_file(folder.path("stats.json"))), rays = stats.at("rays");
+    const std::string samples = stats.at("samples_done").dump() + " of 26214400000 samples";
+    EXPECT_NE(run.err.find("interrupted: " + samples + "; pixels not reached are black\n"), std::string::npos) << run.err;
+    EXPECT_EQ(stats.at("interrupted"), true);
+    EXPECT_EQ(stats.at("samples_total"), 26214400000);
+    EXPECT_EQ(stats.at("samples_done"), rays.at("camera"));
+    const auto picture = OIIO::ImageInput::open(folder.path("out.png"));
+    ASSERT_TRUE(picture);
+    EXPECT_EQ(picture->spec().get_string_attribute("brandung:interrupted"), "true");
+    EXPECT_EQ(picture->spec().get_string_attribute("brandung:samples"), samples);
     EXPECT_GE(rays.at("camera").get<std::uint64_t>(), 16384u);
     EXPECT_LT(rays.at("camera").get<std::uint64_t>(), 512ull * 512 * 100000);
 }
@@ -291,6 +300,13 @@ TEST(CliInterrupted, TheSecondTimeEndsTheProgramAtOnce) {
     const Finished run = run_program({"render", scene, "-o", folder.path("out.png"), "--size", "256x128"}, options);
     EXPECT_EQ(run.signal, SIGINT) << "status " << run.status << "\n" << run.err;
     EXPECT_EQ(folder.names(), std::vector<std::string>{"scene.nff"});
+}
+
+TEST(Cli, MoreThreadsThanComputeUnitsAreMentioned) {
+    const TemporaryFolder folder;
+    const Finished run = render(folder, {"-o", folder.path("out.png"), "--quiet", "--threads", "9999"});
+    expect_success(run);
+    EXPECT_TRUE(run.err.starts_with("warning: --threads 9999: '")) << run.err;
 }
 
 TEST(CliInterrupted, ByTheTerminateSignalToo) {

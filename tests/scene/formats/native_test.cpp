@@ -137,28 +137,33 @@ TEST(Native, SetsValuesBeforeTheyAreInterpreted) {
     EXPECT_EQ(scene.integrator.threshold, 0.0f);
     EXPECT_EQ(view_of<PointLight>(scene.lights[0]).intensity, Spectrum(1, 2, 3));
     EXPECT_EQ(error_of(small_scene, {"film.spp=0"}), ": /film/spp (set on the command line): must be a whole number from 1 to 16777216, got 0");
-    EXPECT_EQ(error_of(small_scene, {"film.sp=1"}).substr(0, 60), ": /film/sp (set on the command line): unknown key; known her");
+    EXPECT_EQ(error_of(small_scene, {"film.sp=1"}), ": /film/sp (set on the command line): unknown key; is \"spp\" meant?");
 }
 
 TEST(Native, RefusesBadSettings) {
     EXPECT_EQ(error_of(changed("64", "0")), ":2: /film/width: must be a whole number from 1 to 65535, got 0");
     EXPECT_EQ(error_of(changed("48", "65536")), ":2: /film/height: must be a whole number from 1 to 65535, got 65536");
     EXPECT_EQ(error_of(changed("\"random\"", "\"middle\"")), ":2: /film/pixel: must be one of corner, center, random, got \"middle\"");
-    EXPECT_EQ(error_of(changed("\"seed\"", "\"sead\"")).substr(0, 44), ":2: /film/sead: unknown key; known here: see");
+    EXPECT_EQ(error_of(changed("\"seed\"", "\"sead\"")), ":2: /film/sead: unknown key; is \"seed\" meant?");
+    EXPECT_EQ(error_of(changed("\"random\"", "\"corner\"")), ":2: /film/pixel: 'corner' takes one sample per pixel, not 4");
+    EXPECT_EQ(error_of(small_scene, {"film.pixel=corner"}), ": /film/pixel (set on the command line): 'corner' takes one sample per pixel, not 4");
     EXPECT_EQ(error_of(changed("9,", "1001,")), ":3: /integrator/max_depth: must be a whole number from 1 to 1000, got 1001");
     EXPECT_EQ(error_of(changed("\"none\"", "\"octopus\"")).substr(0, 38), ":4: /accelerator: must be one of auto,");
-    EXPECT_EQ(error_of(changed("\"ambient\"", "\"ambiant\"")).substr(0, 48), ":6: /ambiant: unknown key; known here: ambient, ");
+    EXPECT_EQ(error_of(changed("\"ambient\"", "\"ambiant\"")), ":6: /ambiant: unknown key; is \"ambient\" meant?");
     EXPECT_EQ(error_of(changed("0.25", "1e39")), ":6: /ambient: must be within the range of a float, got 1e+39");
     EXPECT_EQ(error_of(changed("0.25", "1e400")).substr(0, 22), ":6: number overflow pa");
 }
 
 TEST(Native, RefusesBadCameras) {
     EXPECT_EQ(error_of("{}"), ":1: needs either \"camera\" or \"cameras\"");
+    EXPECT_EQ(error_of("{}", {"film.width=32"}), ":1: needs either \"camera\" or \"cameras\"") << "no fault of the setting";
     EXPECT_EQ(error_of(R"({"cameras": []})"), ":1: /cameras: must not be empty");
+    EXPECT_EQ(error_of("{\"camera\": {},\n\"cameras\": []}"),
+              ":2: /cameras: the scene has both \"camera\" and \"cameras\", but needs only one of them");
     EXPECT_EQ(error_of(changed("[0, 0, 0], \"up\"", "[0, 0, 5], \"up\"")), ":7: /camera/at: must differ from \"from\"");
     EXPECT_EQ(error_of(changed("[0, 2, 0]", "[0, 0, -2]")), ":7: /camera/up: must not be parallel to the view from \"from\" to \"at\"");
     EXPECT_EQ(error_of(changed("[0, 2, 0]", "[0, 0, 0]")), ":7: /camera/up: must not be zero");
-    EXPECT_EQ(error_of(changed("90", "180")), ":7: /camera/fov: must be below 180 degrees");
+    EXPECT_EQ(error_of(changed("90", "180")), ":7: /camera/fov: must be below 180 degrees, got 180");
     EXPECT_EQ(error_of(changed("90", "0")), ":7: /camera/fov: must be positive, got 0");
     EXPECT_EQ(error_of(changed("[\"water\"]", "[\"wine\"]")), ":7: /camera/inside: there is no material \"wine\"");
     EXPECT_EQ(error_of(changed("[\"water\"]", "[\"grey\"]")), ":7: /camera/inside: material \"grey\" is not transparent");
@@ -174,7 +179,7 @@ TEST(Native, RefusesBadMaterials) {
               ":9: /materials/0/type: must be one of whitted, got \"glass\"");
     EXPECT_EQ(error_of(changed(", \"type\": \"whitted\"}", "}")), ":10: /materials/1: \"type\" is missing");
     EXPECT_EQ(error_of(changed("1.33", "0")), ":9: /materials/0/eta: must be positive, got 0");
-    EXPECT_EQ(error_of(changed("\"transmission\": 1", "\"transmission\": 1.5")), ":9: /materials/0/transmission: must be at most 1");
+    EXPECT_EQ(error_of(changed("\"transmission\": 1", "\"transmission\": 1.5")), ":9: /materials/0/transmission: must be at most 1, got 1.5");
     EXPECT_EQ(error_of(changed("\"priority\": 3", "\"priority\": 16777217")),
               ":9: /materials/0/priority: must be a whole number from 0 to 16777216, got 16777217");
 }
@@ -194,7 +199,7 @@ TEST(Native, RefusesBadObjects) {
     EXPECT_EQ(error_of(changed("{\"type\": \"sphere\", \"material\": \"grey\"", "{\"type\": \"cube\", \"material\": \"grey\"")).substr(0, 37),
               ":15: /objects/0/type: must be one of ");
     EXPECT_EQ(error_of(changed("\"radius\": 1},", "\"radius\": -1},")), ":15: /objects/0/radius: must be not negative, got -1");
-    EXPECT_EQ(error_of(changed("\"radius\": 1},", "\"radios\": 1},")), ":15: /objects/0: \"radius\" is missing (is \"radios\" meant?)");
+    EXPECT_EQ(error_of(changed("\"radius\": 1},", "\"radios\": 1},")), ":15: /objects/0: \"radius\" is missing; \"radios\" is unknown");
     EXPECT_EQ(error_of(changed("\"radius\": 1},", "\"radius\": 1, \"colour\": 1},")).substr(0, 51),
               ":15: /objects/0/colour: unknown key; known here: ce");
     EXPECT_EQ(error_of(changed("\"center\": [0, 0, 0]", "\"center\": [0, 1e16, 0]")).substr(0, 39), ":15: /objects/0/center/1: must be at mo");
@@ -206,11 +211,43 @@ TEST(Native, RefusesBadObjects) {
 
 TEST(Native, RefusesWhatIsNoScene) {
     EXPECT_EQ(error_of(""), ": is empty");
+    EXPECT_EQ(error_of("[1, 2]", {"film.width=32"}), ":1: must be an object, got an array of 2");
     for (const char *text : {"null", "3", "\"scene\"", "[]", " ", "{", "}", "\xff\xfe", "\xef\xbb\xbf"}) EXPECT_NE(error_of(text), "") << text;
     for (const char *key : {"film", "integrator", "accelerator", "background", "ambient", "camera", "cameras", "materials", "lights", "objects"}) {
         const std::string error = error_of(std::string("{\n\"") + key + "\": false}");
         EXPECT_EQ(error.substr(0, 5 + std::strlen(key)), std::string(":2: /") + key) << error;
     }
+}
+
+/// The warnings of a scene with these members beside its camera.
+std::map<std::string, uint> warnings_of(const std::string &members) {
+    return read_text(R"({"camera": {"from": [0, 0, 5], "at": [0, 0, 0]}, )" + members + "}").warnings;
+}
+
+TEST(Native, WarnsOfScenesThatShowNothing) {
+    const std::string objects = R"("objects": [{"type": "sphere", "material": "a", "center": [0, 0, 0], "radius": 1}], )";
+    const std::string matte = objects + R"("materials": [{"name": "a", "type": "whitted"}])";
+    const std::map<std::string, uint> none = {{"the scene has no objects", 1}},
+                                      dark = {{"the scene has neither lights nor ambient light nor emission: its objects are black", 1}}, fine;
+    EXPECT_EQ(warnings_of(R"("objects": [])"), none);
+    EXPECT_EQ(warnings_of(matte), dark);
+    EXPECT_EQ(warnings_of(matte + R"(, "background": 1)"), dark);
+    EXPECT_EQ(warnings_of(matte + R"(, "ambient": 0.1)"), fine);
+    EXPECT_EQ(warnings_of(matte + R"(, "lights": [{"type": "point", "position": [1, 2, 3], "intensity": 10}])"), fine);
+    EXPECT_EQ(warnings_of(objects + R"("materials": [{"name": "a", "type": "whitted", "emission": 1}])"), fine);
+    EXPECT_EQ(warnings_of(objects + R"("background": 1, "materials": [{"name": "a", "type": "whitted", "reflection": 1}])"), fine);
+}
+
+TEST(Native, WarnsOfPolygonsThatAreNotFlat) {
+    const auto warnings = [](const std::string &last) {
+        return warnings_of(R"("ambient": 1, "materials": [{"name": "a", "type": "whitted"}],
+            "objects": [{"type": "polygon", "material": "a", "vertices": [[0, 0, 7], [1, 0, 7], [1, 1, 7], )" +
+                           last + "]}]");
+    };
+    const std::map<std::string, uint> bent = {{"polygon whose corners do not lie in one plane: its triangles are bent against each other", 1}}, fine;
+    EXPECT_EQ(warnings("[0, 1, 7]"), fine);
+    EXPECT_EQ(warnings("[0, 1, 7.0001]"), fine) << "a file with few digits";
+    EXPECT_EQ(warnings("[0, 1, 7.1]"), bent);
 }
 
 TEST(Native, EveryTruncationIsRefused) {

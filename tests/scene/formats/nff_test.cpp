@@ -130,7 +130,7 @@ TEST(Nff, SettingsChangeWhatTheFileSays) {
 
 TEST(Nff, WhatStillMakesSenseIsACountedWarning) {
     const Scene scene = read_nff_text(nff_viewpoint +
-                                      "s 0 0 0 1\np 3 0 0 0 1 0 0 0 1 0\nf 1 1 1 1 0 0 0 0\ns 0 0 0 0\ns 1 0 0 0\nc 0 0 0 1 0 0 0 1\n"
+                                      "l 0 0 9\ns 0 0 0 1\np 3 0 0 0 1 0 0 0 1 0\nf 1 1 1 1 0 0 0 0\ns 0 0 0 0\ns 1 0 0 0\nc 0 0 0 1 0 0 0 1\n"
                                       "p 3 0 0 0 1 1 1 2 2 2\npp 3 0 0 0 0 0 0 1 0 0 0 0 1 0 1 0 0 0 1\n");
     EXPECT_EQ(scene.materials.size(), 2u);
     EXPECT_EQ(scene.materials[0].name, "default");
