@@ -8,22 +8,10 @@
 #include "kernels/core/scene.cl"
 
 #include "kernels/core/lanes_8.cl"
-#define LaneRay ray_x8
-#define LaneBox box_x8
-#define Crossing crossing_x8
 #include "generated/primitive_hits.cl"
-#undef LaneRay
-#undef LaneBox
-#undef Crossing
 
 #include "kernels/core/lanes_16.cl"
-#define LaneRay ray_x16
-#define LaneBox box_x16
-#define Crossing crossing_x16
 #include "generated/primitive_hits.cl"
-#undef LaneRay
-#undef LaneBox
-#undef Crossing
 
 #include "kernels/core/lanes_1.cl"
 

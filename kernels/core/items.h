@@ -40,9 +40,8 @@ typedef struct {
 } Path;
 
 #define SURFACE_HIT 1u         ///< the ray hit something
-#define SURFACE_ENTERS 2u      ///< it comes from outside the object
-#define SURFACE_LIT 4u         ///< light from lights can be seen on it
-#define SURFACE_LIT_BEYOND 8u  ///< and falls on the side away from `wo`: a transparent object's outside, seen from inside
+#define SURFACE_LIT 2u         ///< light from lights can be seen on it
+#define SURFACE_LIT_BEYOND 4u  ///< and falls on the side away from `wo`: a transparent object's outside, seen from inside
 #define SURFACE_PRIMITIVE(flags) ((flags) >> 4)
 
 // A surface point is three records, so that each stage reads whole ones: the compiler reads consecutive whole records by shuffles, but takes

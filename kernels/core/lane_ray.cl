@@ -1,4 +1,4 @@
-// Template: rays and crossings for the lane width in force. Included once per width, after which LaneRay and Crossing name that width's types.
+// Template: rays, boxes and crossings for the lane width in force: LaneRay, LaneBox and Crossing name that width's types. Included once per width.
 
 /// Ray(s) prepared for tracing. Boxes are tested as (plane ∓ pad - origin) / direction, where the pad exceeds every rounding error of the
 /// primitives' tests; the same formula for every box makes the test monotone: whoever hits a box hits all boxes around it.

@@ -8,6 +8,9 @@
 #undef BITS_REAL
 #undef twofold
 #undef twofold3
+#undef LaneRay
+#undef LaneBox
+#undef Crossing
 #undef LANE
 #undef LANE_NUMBER
 #define real float
@@ -17,6 +20,9 @@
 #define BITS_REAL(x) as_float(x)
 #define twofold twofold_x1
 #define twofold3 twofold3_x1
+#define LaneRay ray_x1
+#define LaneBox box_x1
+#define Crossing crossing_x1
 /// Value of primitive j of a block's column.
 #define LANE(column, j) ((column)[j])
 /// The same of a column of numbers.

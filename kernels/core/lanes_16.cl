@@ -8,6 +8,9 @@
 #undef BITS_REAL
 #undef twofold
 #undef twofold3
+#undef LaneRay
+#undef LaneBox
+#undef Crossing
 #undef LANE
 #undef LANE_NUMBER
 #define real float16
@@ -17,6 +20,9 @@
 #define BITS_REAL(x) as_float16(x)
 #define twofold twofold_x16
 #define twofold3 twofold3_x16
+#define LaneRay ray_x16
+#define LaneBox box_x16
+#define Crossing crossing_x16
 /// Value of primitive j of a block's column, for every ray.
 #define LANE(column, j) ((float16)((column)[j]))
 /// The same of a column of numbers.

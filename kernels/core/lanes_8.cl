@@ -8,6 +8,9 @@
 #undef BITS_REAL
 #undef twofold
 #undef twofold3
+#undef LaneRay
+#undef LaneBox
+#undef Crossing
 #undef LANE
 #undef LANE_NUMBER
 #define real float8
@@ -17,6 +20,9 @@
 #define BITS_REAL(x) as_float8(x)
 #define twofold twofold_x8
 #define twofold3 twofold3_x8
+#define LaneRay ray_x8
+#define LaneBox box_x8
+#define Crossing crossing_x8
 /// Values of a whole block's column: lane j is primitive j.
 #define LANE(column, j) (*(const global float8 *)(column))
 /// The same of a column of numbers.

@@ -1,5 +1,6 @@
 #include "runtime/opencl/kernel_cache.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -25,8 +26,8 @@ std::string why_unwritable(const fs::path &folder) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) return error.message();
-    std::string file = (folder / "XXXXXX").string();
-    const int descriptor = mkstemp(file.data());
+    const std::string file = folder / ("brandung." + std::to_string(getpid()));
+    const int descriptor = open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY, 0600);
     if (descriptor < 0) return std::strerror(errno);
     close(descriptor);
     fs::remove(file, error);

@@ -100,9 +100,9 @@ Finished run_program(const std::vector<std::string> &arguments, const RunOptions
 }
 
 TemporaryFolder::TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "brandung_XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-    folder_ = name;
+    static int made = 0;
+    folder_ = std::filesystem::temp_directory_path() / ("brandung_" + std::to_string(getpid()) + "_" + std::to_string(made++));
+    if (!std::filesystem::create_directory(folder_)) throw std::runtime_error("no temporary folder");
 }
 
 TemporaryFolder::~TemporaryFolder() {

@@ -163,14 +163,8 @@ private:
     static std::string text() {
         return R"(#include "kernels/accelerators/leaf.cl"
 #include "kernels/core/lanes_1.cl"
-#define LaneRay ray_x1
-#define LaneBox box_x1
-#define Crossing crossing_x1
 #include "kernels/core/lane_ray.cl"
 #include "generated/primitive_hits.cl"
-#undef LaneRay
-#undef LaneBox
-#undef Crossing
 #include "kind.h"
             typedef struct { float t, u, v; uint hit; } Result;
             FUNCTION Result cross_one(const global Block *blocks, uint i, Ray ray, float extent) {
