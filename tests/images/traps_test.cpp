@@ -275,6 +275,25 @@ Line through_level(const Line &ray, Real height, Real index, Real beyond, Real &
     return {p, *oracle::refract(ray.direction, Vec(0, 1, 0), index / beyond)};
 }
 
+/// Expects what glass from 0.5 down to `border` and water from there down to -1 let through.
+void expect_glass_on_water(const GlassOverFloor &test, Real border) {
+    test.expect(1600, [&](const Line &eye) -> std::optional<Real> {
+        Real part = 1;
+        const Line in_glass = through_level(eye, 0.5L, 1, 1.5f, part), in_water = through_level(in_glass, border, 1.5f, 1.33f, part);
+        const Line below = through_level(in_water, -1, 1.33f, 1, part);
+        return part * test.floor_radiance(below);
+    });
+}
+
+/// Expects what glass from 0.5 down to -1 lets through.
+void expect_glass(const GlassOverFloor &test) {
+    test.expect(1600, [&](const Line &eye) -> std::optional<Real> {
+        Real part = 1;
+        const Line inside = through_level(eye, 0.5L, 1, 1.5f, part), below = through_level(inside, -1, 1.5f, 1, part);
+        return part * test.floor_radiance(below);
+    });
+}
+
 }  // namespace
 
 /// Glass down to -0.5 in water up to 0: the water's surface inside the glass is none. Depth 4 suffices: passing it costs nothing.
@@ -283,12 +302,7 @@ TEST(NestedGlass, HigherPriorityHidesTheOthersSurface) {
     const uint water = add_clear(test.scene, 1.33f, 0), glass = add_clear(test.scene, 1.5f, 1);
     add_box(test.scene, water, {-9, -1, -9}, {9, 0, 9});
     add_box(test.scene, glass, {-8, -0.5f, -8}, {8, 0.5f, 8});
-    test.expect(1600, [&](const Line &eye) -> std::optional<Real> {
-        Real part = 1;
-        const Line in_glass = through_level(eye, 0.5L, 1, 1.5f, part), in_water = through_level(in_glass, -0.5L, 1.5f, 1.33f, part);
-        const Line below = through_level(in_water, -1, 1.33f, 1, part);
-        return part * test.floor_radiance(below);
-    });
+    expect_glass_on_water(test, -0.5L);
 }
 
 /// The other way round the glass ends where the water begins.
@@ -297,12 +311,7 @@ TEST(NestedGlass, LowerPriorityIsHidden) {
     const uint water = add_clear(test.scene, 1.33f, 2), glass = add_clear(test.scene, 1.5f, 1);
     add_box(test.scene, water, {-9, -1, -9}, {9, 0, 9});
     add_box(test.scene, glass, {-8, -0.5f, -8}, {8, 0.5f, 8});
-    test.expect(1600, [&](const Line &eye) -> std::optional<Real> {
-        Real part = 1;
-        const Line in_glass = through_level(eye, 0.5L, 1, 1.5f, part), in_water = through_level(in_glass, 0, 1.5f, 1.33f, part);
-        const Line below = through_level(in_water, -1, 1.33f, 1, part);
-        return part * test.floor_radiance(below);
-    });
+    expect_glass_on_water(test, 0);
 }
 
 /// Liquids are modelled overlapping their glass a little (Schmidt and Budge, Simple Nested Dielectrics in Ray Traced Images, JGT 7(2) 2002): then
@@ -312,12 +321,7 @@ TEST(NestedGlass, LiquidThatOverlapsItsGlassTouchesIt) {
     const uint water = add_clear(test.scene, 1.33f, 0), glass = add_clear(test.scene, 1.5f, 1);
     add_box(test.scene, water, {-9, -1, -9}, {9, 0.001f, 9});
     add_box(test.scene, glass, {-8, 0, -8}, {8, 0.5f, 8});
-    test.expect(1600, [&](const Line &eye) -> std::optional<Real> {
-        Real part = 1;
-        const Line in_glass = through_level(eye, 0.5L, 1, 1.5f, part), in_water = through_level(in_glass, 0, 1.5f, 1.33f, part);
-        const Line below = through_level(in_water, -1, 1.33f, 1, part);
-        return part * test.floor_radiance(below);
-    });
+    expect_glass_on_water(test, 0);
 }
 
 /// Of equal priorities the material that was declared first counts: the glass ends where the water begins.
@@ -326,12 +330,7 @@ TEST(NestedGlass, OfEqualPrioritiesTheFirstHides) {
     const uint water = add_clear(test.scene, 1.33f, 0), glass = add_clear(test.scene, 1.5f, 0);
     add_box(test.scene, glass, {-8, -0.5f, -8}, {8, 0.5f, 8});
     add_box(test.scene, water, {-9, -1, -9}, {9, 0, 9});
-    test.expect(1600, [&](const Line &eye) -> std::optional<Real> {
-        Real part = 1;
-        const Line in_glass = through_level(eye, 0.5L, 1, 1.5f, part), in_water = through_level(in_glass, 0, 1.5f, 1.33f, part);
-        const Line below = through_level(in_water, -1, 1.33f, 1, part);
-        return part * test.floor_radiance(below);
-    });
+    expect_glass_on_water(test, 0);
 }
 
 /// Where two faces are the same plane there is one interface, in either order of the objects, and even where their diagonals coincide.
@@ -348,12 +347,7 @@ TEST_P(TouchingGlass, HasOneInterfaceWhereFacesCoincide) {
     if (water_first) add_box(test.scene, water, {-size, -1, -size}, {size, 0, size});
     add_box(test.scene, glass, {-8, 0, -8}, {8, 0.5f, 8});
     if (!water_first) add_box(test.scene, water, {-size, -1, -size}, {size, 0, size});
-    test.expect(1600, [&](const Line &eye) -> std::optional<Real> {
-        Real part = 1;
-        const Line in_glass = through_level(eye, 0.5L, 1, 1.5f, part), in_water = through_level(in_glass, 0, 1.5f, 1.33f, part);
-        const Line below = through_level(in_water, -1, 1.33f, 1, part);
-        return part * test.floor_radiance(below);
-    });
+    expect_glass_on_water(test, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(NestedGlass, TouchingGlass,
@@ -368,11 +362,7 @@ TEST(NestedGlass, TouchingBodiesOfOneMaterialHaveNoInnerInterface) {
     const uint clear = add_clear(test.scene, 1.5f, 0);
     add_box(test.scene, clear, {-9, -1, -9}, {9, 0, 9});
     add_box(test.scene, clear, {-8, 0, -8}, {8, 0.5f, 8});
-    test.expect(1600, [&](const Line &eye) -> std::optional<Real> {
-        Real part = 1;
-        const Line inside = through_level(eye, 0.5L, 1, 1.5f, part), below = through_level(inside, -1, 1.5f, 1, part);
-        return part * test.floor_radiance(below);
-    });
+    expect_glass(test);
 }
 
 /// Glass that stands on the floor does not hide it, whichever of the coincident faces comes first.
@@ -403,11 +393,7 @@ TEST(NestedGlass, ManyHiddenInterfacesArePassed) {
         const float low = -0.9f + 0.06f * static_cast<float>(i);
         add_box(test.scene, hidden, {-8, low, -8}, {8, low + 0.03f, 8});
     }
-    test.expect(1600, [&](const Line &eye) -> std::optional<Real> {
-        Real part = 1;
-        const Line inside = through_level(eye, 0.5L, 1, 1.5f, part), below = through_level(inside, -1, 1.5f, 1, part);
-        return part * test.floor_radiance(below);
-    });
+    expect_glass(test);
 }
 
 /// A ray's list holds eight media; what is entered beyond is left out, and counted.
