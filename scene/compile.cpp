@@ -108,10 +108,11 @@ void add_primitives(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     compiled.accelerator = kind.name;
     compiled.accelerator_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
-    compiled.header.extent = extent_of(references);
+    Group &world = compiled.header.world;
+    world.extent = extent_of(references);
     for (std::size_t k = 0; k < compiled.primitives.size(); ++k)
-        compiled.header.blocks[k] = arena.add(write_blocks(*compiled.primitives[k], built.blocks[k], primitives), built.blocks[k].size());
-    compiled.header.nodes = arena.add(built.nodes, built.node_count);
+        world.blocks[k] = arena.add(write_blocks(*compiled.primitives[k], built.blocks[k], primitives), built.blocks[k].size());
+    world.nodes = arena.add(built.nodes, built.node_count);
     compiled.header.shading = arena.add(shading);
     compiled.header.vertex_normals = arena.add(tables.vertex_normals);
     compiled.shading_normals = !tables.vertex_normals.empty();

@@ -16,27 +16,27 @@
 #include "kernels/core/lanes_1.cl"
 
 #define CROSS_BLOCK(KIND, Record, name) \
-    if (kind == KIND) crossing = name##_crossing(SCENE_ARRAY(scene, Record##Block, blocks[KIND]) + block, 0u, *ray);
+    if (kind == KIND) crossing = name##_crossing(RECORDS(scene, Record##Block, group->blocks[KIND]) + block, 0u, *ray);
 
 /// Numbers of a block's primitives.
-FUNCTION const global uint *block_numbers(Scene scene, uint kind, uint block) {
+FUNCTION const global uint *block_numbers(Scene scene, const global Group *group, uint kind, uint block) {
     const global uint *numbers = 0;
 #define CASE(KIND, Record, name) \
-    if (kind == KIND) numbers = (SCENE_ARRAY(scene, Record##Block, blocks[KIND]) + block)->primitive;
+    if (kind == KIND) numbers = (RECORDS(scene, Record##Block, group->blocks[KIND]) + block)->primitive;
     FOR_EACH_PRIMITIVE(CASE)
 #undef CASE
     return numbers;
 }
 
 /// A nearer crossing, or an equally near one of a primitive of lower number, replaces the hit and shortens the ray.
-FUNCTION void block_closest_hit(Scene scene, uint kind, uint block, ray_x8 *ray, Nearest *nearest) {
+FUNCTION void block_closest_hit(Scene scene, const global Group *group, uint kind, uint block, ray_x8 *ray, Nearest *nearest) {
     Hit *hit = &nearest->hit;
     crossing_x8 crossing;
     crossing.hit = (int8)(0);
     FOR_EACH_PRIMITIVE(CROSS_BLOCK)
     uint bits = mask_bits(crossing.hit);
     if (bits == 0u) return;
-    const global uint *primitive = block_numbers(scene, kind, block);
+    const global uint *primitive = block_numbers(scene, group, kind, block);
     float t[8], u[8], v[8];
     vstore8(crossing.t, 0, t), vstore8(crossing.u, 0, u), vstore8(crossing.v, 0, v);
     for (; bits != 0u; bits &= bits - 1u) {
@@ -52,13 +52,13 @@ FUNCTION void block_closest_hit(Scene scene, uint kind, uint block, ray_x8 *ray,
 }
 
 /// Adds the block's hits to the list; without a list, tells whether there is any.
-FUNCTION bool block_any_hit(Scene scene, uint kind, uint block, const ray_x8 *ray, HitList *list) {
+FUNCTION bool block_any_hit(Scene scene, const global Group *group, uint kind, uint block, const ray_x8 *ray, HitList *list) {
     crossing_x8 crossing;
     crossing.hit = (int8)(0);
     FOR_EACH_PRIMITIVE(CROSS_BLOCK)
     uint bits = mask_bits(crossing.hit);
     if (list == 0 || bits == 0u) return bits != 0u;
-    const global uint *primitive = block_numbers(scene, kind, block);
+    const global uint *primitive = block_numbers(scene, group, kind, block);
     float t[8], u[8], v[8];
     vstore8(crossing.t, 0, t), vstore8(crossing.u, 0, u), vstore8(crossing.v, 0, v);
     for (; bits != 0u; bits &= bits - 1u) {
@@ -71,12 +71,12 @@ FUNCTION bool block_any_hit(Scene scene, uint kind, uint block, const ray_x8 *ra
 #undef CROSS_BLOCK
 
 /// block_closest_hit for a packet.
-FUNCTION void block_closest_hits(Scene scene, uint kind, uint block, PacketRays *packet, PacketHits *hits) {
+FUNCTION void block_closest_hits(Scene scene, const global Group *group, uint kind, uint block, PacketRays *packet, PacketHits *hits) {
     ray_x16 *ray = &packet->rays;
     bool nearer = false;
 #define CROSS_EACH(KIND, Record, name)                                                                                                \
     if (kind == KIND) {                                                                                                               \
-        const global Record##Block *b = SCENE_ARRAY(scene, Record##Block, blocks[KIND]) + block;                                      \
+        const global Record##Block *b = RECORDS(scene, Record##Block, group->blocks[KIND]) + block;                                   \
         box_x8 box;                                                                                                                   \
         name##_box(b, 0u, &box);                                                                                                      \
         for (uint bits = candidates(packet, b->primitive, box); bits != 0u; bits &= bits - 1u) {                                      \
@@ -101,11 +101,11 @@ FUNCTION void block_closest_hits(Scene scene, uint kind, uint block, PacketRays 
 }
 
 /// Ends the rays that meet a primitive of the block: their t_max becomes -1.
-FUNCTION void block_ends_rays(Scene scene, uint kind, uint block, PacketRays *packet) {
+FUNCTION void block_ends_rays(Scene scene, const global Group *group, uint kind, uint block, PacketRays *packet) {
     ray_x16 *ray = &packet->rays;
 #define END_EACH(KIND, Record, name)                                                                     \
     if (kind == KIND) {                                                                                  \
-        const global Record##Block *b = SCENE_ARRAY(scene, Record##Block, blocks[KIND]) + block;         \
+        const global Record##Block *b = RECORDS(scene, Record##Block, group->blocks[KIND]) + block;      \
         box_x8 box;                                                                                      \
         name##_box(b, 0u, &box);                                                                         \
         for (uint bits = candidates(packet, b->primitive, box); bits != 0u; bits &= bits - 1u)           \

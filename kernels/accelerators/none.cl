@@ -2,34 +2,30 @@
 // No acceleration structure: every block of primitives is tested. The reference for the others.
 
 #define FOR_EACH_BLOCK(KIND, Record, name) \
-    for (uint block = 0u; block < scene.header->blocks[KIND].count; ++block) TEST(KIND, block);
+    for (uint block = 0u; block < group->blocks[KIND].count; ++block) TEST(KIND, block);
 
-static Nearest LEVEL(closest_hit)(Scene scene, Ray ray) {
-    ray_x8 lanes = prepare(ray, scene.header->extent);
-    Nearest nearest = nothing_hit(&lanes);
-#define TEST(kind, block) LEAF_CLOSEST_HIT(scene, kind, block, &lanes, &nearest)
+static void LEVEL(closest_hit)(Scene scene, const global Group *group, ray_x8 *ray, Nearest *nearest) {
+#define TEST(kind, block) LEAF_CLOSEST_HIT(scene, group, kind, block, ray, nearest)
     FOR_EACH_PRIMITIVE(FOR_EACH_BLOCK)
 #undef TEST
-    return nearest;
 }
 
-static bool LEVEL(any_hit)(Scene scene, Ray ray, HitList *list) {
-    const ray_x8 lanes = prepare(ray, scene.header->extent);
+static bool LEVEL(any_hit)(Scene scene, const global Group *group, const ray_x8 *ray, HitList *list) {
 #define TEST(kind, block) \
-    if (LEAF_ANY_HIT(scene, kind, block, &lanes, list)) return true
+    if (LEAF_ANY_HIT(scene, group, kind, block, ray, list)) return true
     FOR_EACH_PRIMITIVE(FOR_EACH_BLOCK)
 #undef TEST
     return false;
 }
 
-static void LEVEL(closest_hits)(Scene scene, PacketRays *packet, PacketHits *hits) {
-#define TEST(kind, block) LEAF_CLOSEST_HITS(scene, kind, block, packet, hits)
+static void LEVEL(closest_hits)(Scene scene, const global Group *group, PacketRays *packet, PacketHits *hits) {
+#define TEST(kind, block) LEAF_CLOSEST_HITS(scene, group, kind, block, packet, hits)
     FOR_EACH_PRIMITIVE(FOR_EACH_BLOCK)
 #undef TEST
 }
 
-static void LEVEL(end_occluded)(Scene scene, PacketRays *packet) {
-#define TEST(kind, block) LEAF_ENDS_RAYS(scene, kind, block, packet)
+static void LEVEL(end_occluded)(Scene scene, const global Group *group, PacketRays *packet) {
+#define TEST(kind, block) LEAF_ENDS_RAYS(scene, group, kind, block, packet)
     FOR_EACH_PRIMITIVE(FOR_EACH_BLOCK)
 #undef TEST
 }

@@ -23,17 +23,15 @@ FUNCTION uint LEVEL(children)(const global BvhNode *node, const ray_x8 *ray, flo
 }
 
 /// The stack holds children with the t where the ray enters them, as (bits of t) << 32 | child, farthest first among the children of a node.
-static Nearest LEVEL(closest_hit)(Scene scene, Ray ray) {
-    const global BvhNode *nodes = SCENE_ARRAY(scene, BvhNode, nodes);
-    ray_x8 lanes = prepare(ray, scene.header->extent);
-    Nearest nearest = nothing_hit(&lanes);
+static void LEVEL(closest_hit)(Scene scene, const global Group *group, ray_x8 *ray, Nearest *nearest) {
+    const global BvhNode *nodes = RECORDS(scene, BvhNode, group->nodes);
     ulong stack[BVH_STACK];
     uint size = 0u, current = 0u;
     for (;;) {
         if ((current & BVH_LEAF) == 0u) {
             const global BvhNode *node = nodes + current;
             float8 enter;
-            uint bits = LEVEL(children)(node, &lanes, &enter);
+            uint bits = LEVEL(children)(node, ray, &enter);
             if (bits != 0u) {
                 float t[BVH_WIDTH];
                 vstore8(enter, 0, t);
@@ -55,28 +53,27 @@ static Nearest LEVEL(closest_hit)(Scene scene, Ray ray) {
                 continue;
             }
         } else {
-            LEAF_CLOSEST_HIT(scene, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, &lanes, &nearest);
+            LEAF_CLOSEST_HIT(scene, group, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, ray, nearest);
         }
         do {
-            if (size == 0u) return nearest;
+            if (size == 0u) return;
             current = (uint)stack[--size];
-        } while ((uint)(stack[size] >> 32) > as_uint(lanes.t_max.s0));
+        } while ((uint)(stack[size] >> 32) > as_uint(ray->t_max.s0));
     }
 }
 
 /// Adds all hits up to the ray's t_max to the list; without a list, tells whether there is any. The child with the fewest primitives is
 /// visited first: it is the likeliest to be hit soon for its cost.
-static bool LEVEL(any_hit)(Scene scene, Ray ray, HitList *list) {
-    const global BvhNode *nodes = SCENE_ARRAY(scene, BvhNode, nodes);
-    const ray_x8 lanes = prepare(ray, scene.header->extent);
+static bool LEVEL(any_hit)(Scene scene, const global Group *group, const ray_x8 *ray, HitList *list) {
+    const global BvhNode *nodes = RECORDS(scene, BvhNode, group->nodes);
     uint stack[BVH_STACK];
     uint size = 0u, current = 0u;
     for (;;) {
         if ((current & BVH_LEAF) == 0u) {
             float8 enter;
-            uint bits = LEVEL(children)(nodes + current, &lanes, &enter);
+            uint bits = LEVEL(children)(nodes + current, ray, &enter);
             for (; bits != 0u; bits &= bits - 1u) stack[size++] = nodes[current].child[lowest_bit(bits)];
-        } else if (LEAF_ANY_HIT(scene, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, &lanes, list)) {
+        } else if (LEAF_ANY_HIT(scene, group, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, ray, list)) {
             return true;
         }
         if (size == 0u) return false;
@@ -108,8 +105,8 @@ FUNCTION uint LEVEL(children_of_packet)(const global BvhNode *node, const Packet
 }
 
 /// Children are visited in the order of the first ray that tells them apart.
-static void LEVEL(closest_hits)(Scene scene, PacketRays *packet, PacketHits *hits) {
-    const global BvhNode *nodes = SCENE_ARRAY(scene, BvhNode, nodes);
+static void LEVEL(closest_hits)(Scene scene, const global Group *group, PacketRays *packet, PacketHits *hits) {
+    const global BvhNode *nodes = RECORDS(scene, BvhNode, group->nodes);
     uint stack[BVH_STACK];
     float16 entered[BVH_STACK];
     uint size = 0u, current = 0u;
@@ -136,7 +133,7 @@ static void LEVEL(closest_hits)(Scene scene, PacketRays *packet, PacketHits *hit
                 continue;
             }
         } else {
-            LEAF_CLOSEST_HITS(scene, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, packet, hits);
+            LEAF_CLOSEST_HITS(scene, group, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, packet, hits);
         }
         do {
             if (size == 0u) return;
@@ -146,8 +143,8 @@ static void LEVEL(closest_hits)(Scene scene, PacketRays *packet, PacketHits *hit
 }
 
 /// Ends every ray that meets something: its t_max becomes -1.
-static void LEVEL(end_occluded)(Scene scene, PacketRays *packet) {
-    const global BvhNode *nodes = SCENE_ARRAY(scene, BvhNode, nodes);
+static void LEVEL(end_occluded)(Scene scene, const global Group *group, PacketRays *packet) {
+    const global BvhNode *nodes = RECORDS(scene, BvhNode, group->nodes);
     uint stack[BVH_STACK];
     uint size = 0u, current = 0u;
     for (;;) {
@@ -159,7 +156,7 @@ static void LEVEL(end_occluded)(Scene scene, PacketRays *packet) {
                 if (LEVEL(rays_entering)(node, c, &packet->rays, &enter) != 0u) stack[size++] = node->child[c];
             }
         } else {
-            LEAF_ENDS_RAYS(scene, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, packet);
+            LEAF_ENDS_RAYS(scene, group, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, packet);
             if (mask_bits(packet->rays.t_max >= 0.0f) == 0u) return;
         }
         if (size == 0u) return;

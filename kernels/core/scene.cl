@@ -8,8 +8,10 @@ typedef struct {
 } Scene;
 #define SCENE_PARAMS const global SceneHeader *restrict scene_header, const global uchar *restrict scene_arena
 #define SCENE ((Scene){scene_header, scene_arena})
-/// The records of a span of the header, as a typed pointer.
-#define SCENE_ARRAY(scene, Record, span) ((const global Record *)((scene).arena + 64ul * (scene).header->span.offset))
+/// The records of a span, as a typed pointer.
+#define RECORDS(scene, Record, span) ((const global Record *)((scene).arena + 64ul * (span).offset))
+/// The same of a span of the header.
+#define SCENE_ARRAY(scene, Record, span) RECORDS(scene, Record, (scene).header->span)
 
 /// A list of live indices, or part of it: item i of a stage is live[first + i].
 #define LIVE_PARAMS const global uint *restrict live, uint first, uint count

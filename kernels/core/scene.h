@@ -37,12 +37,17 @@ typedef struct {
     uint words[15];
 } Light;
 
+/// Primitives in one space, with an accelerator above them.
 typedef struct {
     Span blocks[MAX_PRIMITIVE_KINDS];  ///< per kind in use: blocks of BLOCK_SIZE primitives
     Span nodes;                        ///< the accelerator's own
-    Span shading;                      ///< ShadingRecord per primitive, in scene order
-    Span vertex_normals;               ///< VertexNormals of smooth triangles
+    float extent;                      ///< largest magnitude of a coordinate of the primitives' bounds
+} Group;
+
+typedef struct {
+    Group world;
+    Span shading;         ///< ShadingRecord per primitive, in scene order
+    Span vertex_normals;  ///< VertexNormals of smooth triangles
     Span materials, lights;
     Spectrum background, ambient;
-    float extent;  ///< largest magnitude of a coordinate of the scene's bounds
 } SceneHeader;

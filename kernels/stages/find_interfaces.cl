@@ -58,7 +58,7 @@ FUNCTION HitList hits_at(Scene scene, Ray ray, Hit closest, bool crowded) {
     list.hits[0] = closest, list.count = 1u;
     if (!crowded) return list;
     list.count = 0u;
-    const ray_x8 lanes = prepare(ray, scene.header->extent);
+    const ray_x8 lanes = prepare(ray, scene.header->world.extent);
     ray.t_max = closest.t + crowd_margin(&lanes);
     scene_any_hit(scene, ray, &list);
     keep_coincident(scene, ray, &list);

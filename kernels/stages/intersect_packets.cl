@@ -24,13 +24,7 @@ kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
     const uint end = min((uint)(get_global_id(0) + 1u) * ITEMS_PER_WORK_ITEM, count);
     for (uint begin = get_global_id(0) * ITEMS_PER_WORK_ITEM; begin < end; begin += PACKET) {
         const Packet packet = packet_of(rays, live + first, begin, end);
-        PacketHits closest = packet_without_hits(&packet, scene.header->extent);
-        for (uint axis = 0u; axis < 3u; ++axis) {
-            const int16 lanes = packet_lanes(&packet, axis);
-            if (mask_bits(lanes) == 0u) continue;
-            PacketRays group = packet_rays(&packet, axis, scene.header->extent, lanes);
-            scene_closest_hits(scene, &group, &closest);
-        }
+        const PacketHits closest = scene_closest_hits(scene, &packet);
         const uint rays_here = min(PACKET, end - begin);
         store_hits(hits + begin, rays_here, closest);
         if (INTERIOR_SIZE > 0u) store_crowded(crowded + begin, rays_here, closest);

@@ -12,16 +12,8 @@ kernel void trace_shadow_rays(SCENE_PARAMS, const global uint *restrict live, co
     const uint end = min((uint)(get_global_id(0) + 1u) * ITEMS_PER_WORK_ITEM, counts[row]);
     for (uint begin = get_global_id(0) * ITEMS_PER_WORK_ITEM; begin < end; begin += PACKET) {
         const Packet packet = packet_of(rays, list, begin, end);
-        int16 occluded = (int16)(0);
-        for (uint axis = 0u; axis < 3u; ++axis) {
-            const int16 lanes = packet_lanes(&packet, axis);
-            if (mask_bits(lanes) == 0u) continue;
-            PacketRays group = packet_rays(&packet, axis, scene.header->extent, lanes);
-            scene_end_occluded(scene, &group);
-            occluded |= lanes & (group.rays.t_max < 0.0f);
-        }
         tally.rays[RAY_SHADOW] += min(PACKET, end - begin);
-        for (uint bits = mask_bits(occluded); bits != 0u; bits &= bits - 1u) {
+        for (uint bits = mask_bits(scene_occluded(scene, &packet)); bits != 0u; bits &= bits - 1u) {
             visible[list[begin + lowest_bit(bits)]] = 0;
             tally.hits[RAY_SHADOW] += 1u;
         }
