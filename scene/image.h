@@ -15,6 +15,10 @@ struct Picture {
     std::map<std::string, std::string> metadata;
 };
 
+/// Floats as they are, integers decoded from the sRGB curve unless the file says that they are linear; channels beside red, green and blue are left
+/// out, transparency too. Of a file with several pictures the first; of one with a data window that window. Throws SceneError.
+Picture read_picture(const std::string &file);
+
 /// Throws SceneError if OpenImageIO knows no format of the file's extension, if the format cannot take a picture of that size, or if no file could
 /// be written there.
 void check_picture_writable(const std::string &file, uint width, uint height);

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include "scene/error.h"
 
@@ -131,6 +132,67 @@ TEST(Image, ExrAndPngStoreMetadata) {
         write_picture(folder.file(name), picture, 0);
         EXPECT_EQ(OIIO::ImageInput::open(folder.file(name))->spec().get_string_attribute("brandung:answer"), "42") << name;
     }
+}
+
+/// Between two codes of 8 bits lie at most 1/255 of the curve, whose slope towards linear values is at most 2.4 * 1.055^-1 = 2.275: half of it.
+/// RGBE has 8 bits of the largest channel, here below 2, and cuts the rest.
+TEST(Image, IsReadAsItWasWritten) {
+    const Folder folder;
+    Picture picture = ramp();
+    for (vec3 &pixel : picture.pixels) pixel = glm::min(pixel, vec3(1));
+    picture.metadata["brandung:answer"] = "42";
+    for (const auto &[name, tolerance] : {std::pair{"a.exr", 0.0f}, {"a.tif", 0.0f}, {"a.hdr", 0x1p-7f}, {"a.png", 0.0045f}}) {
+        write_picture(folder.file(name), picture, 0);
+        const Picture read = read_picture(folder.file(name));
+        ASSERT_EQ(read.width, 64u);
+        ASSERT_EQ(read.height, 48u);
+        for (std::size_t i = 0; i < read.pixels.size(); ++i)
+            for (int c = 0; c < 3; ++c) ASSERT_NEAR(read.pixels[i][c], picture.pixels[i][c], tolerance) << name << ", pixel " << i;
+        EXPECT_EQ(read.metadata.contains("brandung:answer"), stores_metadata(name)) << name;
+    }
+}
+
+/// Writes one pixel.
+void write_values(const std::string &file, OIIO::TypeDesc type, const std::vector<std::string> &names, const std::vector<float> &values) {
+    OIIO::ImageSpec spec(1, 1, int(names.size()), type);
+    spec.channelnames = names;
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    const auto output = OIIO::ImageOutput::create(file);
+    ASSERT_TRUE(output && output->open(file, spec) && output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close()) << file;
+}
+
+TEST(Image, ColourIsFoundAmongOtherChannels) {
+    const Folder folder;
+    const auto read = [&](const std::string &name, OIIO::TypeDesc type, const std::vector<std::string> &names, const std::vector<float> &values) {
+        write_values(folder.file(name), type, names, values);
+        return read_picture(folder.file(name)).pixels.at(0);
+    };
+    EXPECT_EQ(read("a.exr", OIIO::TypeDesc::FLOAT, {"A.X", "B", "G", "R", "Z"}, {9, 3, 2, 1, 8}), vec3(1, 2, 3));
+    EXPECT_EQ(read("b.exr", OIIO::TypeDesc::FLOAT, {"Y"}, {7}), vec3(7));
+    EXPECT_EQ(read("c.png", OIIO::TypeDesc::UINT8, {"Y", "A"}, {1, 0.2f}), vec3(1));
+    // A transparent pixel keeps its colour; 16 bits hold 0.5 within 2^-17, which is 0.21404 of the brightest.
+    const vec3 clear = read("d.png", OIIO::TypeDesc::UINT16, {"R", "G", "B", "A"}, {0.5f, 1, 0, 0.25f});
+    EXPECT_NEAR(clear.x, 0.21404f, 2e-5f);
+    EXPECT_EQ(clear.y, 1);
+    EXPECT_EQ(clear.z, 0);
+}
+
+TEST(Image, WhatCannotBeReadIsRefusedInOneLine) {
+    const Folder folder;
+    for (const char *name : {"text.png", "unknown.xyz"}) std::ofstream(folder.file(name)) << "no picture";
+    std::ofstream(folder.file("empty.exr"));
+    write_picture(folder.file("whole.exr"), ramp(), 0);
+    fs::copy_file(folder.file("whole.exr"), folder.file("cut.exr"));
+    fs::resize_file(folder.file("cut.exr"), fs::file_size(folder.file("cut.exr")) / 2);
+    fs::create_directory(folder.file("folder.png"));
+    for (const char *name : {"text.png", "empty.exr", "cut.exr", "folder.png", "missing.png", "unknown.xyz"}) try {
+            read_picture(folder.file(name));
+            ADD_FAILURE() << name << " is not refused";
+        } catch (const SceneError &error) {
+            const std::string what = error.what();
+            EXPECT_TRUE(what.starts_with(folder.file(name) + ": ")) << what;
+            EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+        }
 }
 
 }  // namespace

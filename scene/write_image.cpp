@@ -1,5 +1,4 @@
-#include "scene/image.h"
-
+/// Writing pictures.
 #include <OpenImageIO/imageio.h>
 #include <fcntl.h>
 #include <unistd.h>
@@ -8,22 +7,21 @@
 #include <filesystem>
 
 #include "scene/error.h"
+#include "scene/image.h"
 #include "scene/output.h"
+#include "scene/tone.h"
 
 namespace brandung {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// IEC 61966-2-1.
-float srgb(float linear) { return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f; }
-
 std::vector<std::uint8_t> eight_bits(const std::vector<vec3> &pixels, float exposure) {
     const float scale = std::exp2(exposure);
     std::vector<std::uint8_t> bytes;
     bytes.reserve(3 * pixels.size());
     for (const vec3 &pixel : pixels)
-        for (int c = 0; c < 3; ++c) bytes.push_back(static_cast<std::uint8_t>(255 * srgb(glm::clamp(pixel[c] * scale, 0.0f, 1.0f)) + 0.5f));
+        for (int c = 0; c < 3; ++c) bytes.push_back(static_cast<std::uint8_t>(255 * srgb_encoded(glm::clamp(pixel[c] * scale, 0.0f, 1.0f)) + 0.5f));
     return bytes;
 }
 

@@ -1,0 +1,69 @@
+/// Reading pictures.
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+
+#include "scene/error.h"
+#include "scene/image.h"
+#include "scene/input.h"
+#include "scene/tone.h"
+
+namespace brandung {
+namespace {
+
+SceneError cannot_read(const std::string &file, std::string why) {
+    std::replace(why.begin(), why.end(), '\n', ' ');
+    return SceneError(file + ": cannot read the picture" + (why.empty() ? "" : ": " + why));
+}
+
+std::unique_ptr<OIIO::ImageInput> open(const std::string &file) {
+    check_readable(file);
+    OIIO::ImageSpec as_stored;
+    as_stored.attribute("oiio:UnassociatedAlpha", 1);
+    auto input = OIIO::ImageInput::open(file, &as_stored);
+    if (!input) throw cannot_read(file, OIIO::geterror());
+    if (input->spec().deep) throw cannot_read(file, "its pixels are lists of depths");
+    if (input->spec().depth > 1) throw cannot_read(file, "it is a volume");
+    return input;
+}
+
+/// Where red, green and blue are among the channels: those of these names, else the first three; one or two channels are grey, and grey with alpha.
+std::array<std::size_t, 3> colour_channels(const OIIO::ImageSpec &spec) {
+    const int red = spec.channelindex("R"), green = spec.channelindex("G"), blue = spec.channelindex("B");
+    if (red >= 0 && green >= 0 && blue >= 0) return {std::size_t(red), std::size_t(green), std::size_t(blue)};
+    return spec.nchannels < 3 ? std::array<std::size_t, 3>{0, 0, 0} : std::array<std::size_t, 3>{0, 1, 2};
+}
+
+bool is_linear(const OIIO::ImageSpec &spec) {
+    return spec.format.is_floating_point() || OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
+}
+
+std::map<std::string, std::string> texts(const OIIO::ImageSpec &spec) {
+    std::map<std::string, std::string> texts;
+    for (const OIIO::ParamValue &attribute : spec.extra_attribs)
+        if (attribute.type() == OIIO::TypeDesc::STRING) texts[attribute.name().string()] = attribute.get_string();
+    return texts;
+}
+
+}  // namespace
+
+Picture read_picture(const std::string &file) {
+    const auto input = open(file);
+    const OIIO::ImageSpec &spec = input->spec();
+    const std::size_t channels = std::size_t(spec.nchannels), pixels = std::size_t(spec.width) * std::size_t(spec.height);
+    std::vector<float> values(channels * pixels);
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data())) throw cannot_read(file, input->geterror());
+
+    Picture picture{uint(spec.width), uint(spec.height), std::vector<vec3>(pixels), texts(spec)};
+    const std::array<std::size_t, 3> colour = colour_channels(spec);
+    const bool linear = is_linear(spec);
+    for (std::size_t i = 0; i < pixels; ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float value = values[i * channels + colour[c]];
+            picture.pixels[i][int(c)] = linear ? value : srgb_decoded(value);
+        }
+    return picture;
+}
+
+}  // namespace brandung
