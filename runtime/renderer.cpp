@@ -40,6 +40,8 @@ BatchParams common_params(const FilmSettings &film) {
 FilmSettings checked(const Scene &scene) {
     if (scene.film.pixel == PIXEL_CORNER && scene.film.spp != 1)
         throw SceneError(scene.file + ": /film/pixel: 'corner' takes one sample per pixel, not " + std::to_string(scene.film.spp));
+    if (scene.film.pixel == PIXEL_CORNER && filter_kinds()[scene.film.filter].has_radius)
+        throw SceneError(scene.file + ": /film/filter: pixels at corners take no filter but the box");
     return scene.film;
 }
 
@@ -85,11 +87,12 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
       camera_(make_camera(camera, film_settings_.width, film_settings_.height)),
       interior_(media_of_eye(scene, compiled, camera)),
       samples_per_batch_(samples_at_once(film_settings_, options_.batch)),
-      integrator_(make_integrator({device, scene, compiled, on_device, options_.batch})),
+      filter_(device, film_settings_, on_device.lists()),
+      integrator_(make_integrator({device, scene, compiled, on_device, filter_, options_.batch})),
       pixels_(device, options_.batch / samples_per_batch_),
       samples_(device, options_.batch) {}
 
-std::size_t Renderer::wave_bytes() const { return integrator_->wave_bytes() + pixels_.bytes() + samples_.bytes(); }
+std::size_t Renderer::wave_bytes() const { return integrator_->wave_bytes() + filter_.bytes() + pixels_.bytes() + samples_.bytes(); }
 
 RenderEnd Renderer::render(Film &film) {
     RenderProgress progress{0, std::uint64_t{film.width()} * film.height() * film_settings_.spp, 0};
@@ -116,6 +119,7 @@ bool Renderer::render_batches(Film &film, RenderProgress &progress) {
             params.samples = std::min(samples_per_batch_, spp - first);
             const Batch batch{params, pixels_, camera_, interior_};
             integrator_->render(batch, samples_);
+            filter_.weigh(batch, samples_);
             film.add(batch, samples_);
             device_.finish();
             progress.samples_done += batch.count();

@@ -35,6 +35,7 @@ public:
     RenderEnd render(Film &film);
 
     const Integrator &integrator() const { return *integrator_; }
+    const Filter &filter() const { return filter_; }
     /// Bytes of all buffers beside scene and film, at most.
     std::size_t wave_bytes() const;
 
@@ -47,6 +48,7 @@ private:
     Camera camera_;
     std::vector<uint> interior_;  ///< media that the eye is in
     uint samples_per_batch_;      ///< of one pixel
+    Filter filter_;
     std::unique_ptr<Integrator> integrator_;
     Buffer<uint> pixels_;
     Buffer<Sample> samples_;

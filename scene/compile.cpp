@@ -174,6 +174,7 @@ CompiledScene compile(const Scene &scene) {
     Arena arena(compiled.arena);
     add_primitives(scene, compiled, arena);
     add_materials(scene, compiled, arena);
+    compiled.filter = scene.film.filter;
     compiled.header.background = scene.background;
     compiled.header.ambient = scene.ambient;
     return compiled;

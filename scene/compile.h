@@ -19,6 +19,7 @@ struct CompiledScene {
     std::vector<std::byte> arena;
     std::vector<const PrimitiveKind *> primitives;  ///< kinds in use; a kind's place is its number on the device
     std::vector<uint> bsdfs, lights;                ///< kinds in use: places in bsdf_kinds() and light_kinds(), which are their numbers
+    uint filter = 0;                                ///< in use: its place in filter_kinds()
     std::string accelerator;
     bool reflects = false, transmits = false;  ///< whether any material spawns such rays
     bool highlights = false;                   ///< whether any material has one

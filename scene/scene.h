@@ -23,7 +23,11 @@ struct FilmSettings {
     uint spp = 1;
     uint seed = 0;
     uint pixel = PIXEL_CENTER;
-    float exposure = 0;  ///< of 8-bit pictures [EV]
+    uint filter = 0;             ///< its place in filter_kinds()
+    float filter_radius = 0.5f;  ///< [pixels]
+    float exposure = 0;          ///< of 8-bit pictures [EV]
+
+    bool operator==(const FilmSettings &) const = default;
 };
 
 struct IntegratorSettings {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "brandung_version.h"
+#include "scene/filters/filter.h"
 #include "scene/image.h"
 #include "scene/output.h"
 #include "scene/scene_hash.h"
@@ -99,6 +100,8 @@ std::map<std::string, std::string> metadata(const Job &job, const PhaseSeconds &
                                                    {"brandung:threshold", fmt::format("{}", job.scene.integrator.threshold)},
                                                    {"brandung:spp", std::to_string(job.scene.film.spp)},
                                                    {"brandung:seed", std::to_string(job.scene.film.seed)},
+                                                   {"brandung:filter", filter_kinds()[job.scene.film.filter].name},
+                                                   {"brandung:filter_radius", fmt::format("{}", job.scene.film.filter_radius)},
                                                    {"brandung:pixel", positions[job.scene.film.pixel]},
                                                    {"brandung:statistics", statistics(job, seconds, end).dump()}};
     if (!end.complete) metadata.insert({{"brandung:interrupted", "true"}, {"brandung:samples", samples_taken(end)}});

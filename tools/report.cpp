@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "scene/bsdfs/bsdf.h"
+#include "scene/filters/filter.h"
 #include "scene/lights/light.h"
 
 namespace brandung {
@@ -18,6 +19,7 @@ std::vector<std::string> features_in_use(const Scene &scene, const CompiledScene
     for (const uint kind : compiled.bsdfs) used.push_back(std::string("material ") + bsdf_kinds()[kind].name);
     for (const uint kind : compiled.lights) used.push_back(std::string("light ") + light_kinds()[kind].name);
     used.push_back("accelerator " + compiled.accelerator);
+    used.push_back(std::string("filter ") + filter_kinds()[compiled.filter].name);
     used.push_back("integrator " + scene.integrator.type);
     if (compiled.reflects) used.push_back("reflected rays");
     if (compiled.transmits) used.push_back(fmt::format("refracted rays, lists of {} media", compiled.interior_size));
@@ -38,6 +40,7 @@ std::vector<Skipped> kinds_not_in_use(const CompiledScene &compiled) {
 
 std::vector<Skipped> all_skipped(const Job &job) {
     std::vector<Skipped> skipped = kinds_not_in_use(job.compiled);
+    if (!job.renderer.filter().has_weights()) skipped.push_back({"weigh_samples", "no sample has a negative weight"});
     for (const Skipped &other : job.renderer.integrator().skipped()) skipped.push_back(other);
     if (job.compiled.media > max_interior_size)
         skipped.push_back({fmt::format("more than {} media around one point", max_interior_size),

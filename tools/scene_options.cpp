@@ -23,6 +23,7 @@ std::vector<std::string> assignments(const SceneOptions &options) {
     if (options.spp) add("film.spp", std::to_string(*options.spp));
     if (options.seed) add("film.seed", std::to_string(*options.seed));
     if (!options.pixel.empty()) add("film.pixel", options.pixel);
+    if (!options.filter.empty()) add("film.filter", options.filter);
     if (options.max_depth) add("integrator.max_depth", std::to_string(*options.max_depth));
     if (!options.integrator.empty()) add("integrator.type", options.integrator);
     if (!options.accelerator.empty()) add("accelerator", options.accelerator);
@@ -39,6 +40,7 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
     command.add_option("--size", options.size, "picture size as WIDTHxHEIGHT");
     command.add_option("--seed", options.seed, "seed of random numbers")->check(CLI::Range(0u, 0xffffffffu));
     command.add_option("--pixel", options.pixel, "where a single sample lies: corner, center or random");
+    command.add_option("--filter", options.filter, "how samples count in their pixel: box, tent, gaussian, mitchell or blackman_harris");
     command.add_option("--camera", options.camera, "name of the scene's camera to use (default: the first)");
     command.add_option("--max-depth", options.max_depth, "rays in a chain, the eye ray being 1")->check(CLI::Range(1u, max_depth));
     command

@@ -1,18 +1,20 @@
 // Starts paths at the eye.
 #include "kernels/cameras/perspective.cl"
-#include "generated/sampler.cl"
+#include "generated/filter.cl"
+#include "kernels/samplers/slot.cl"
 
-/// Slot i becomes the ray of sample first_sample + i % samples of pixel pixels[i / samples] (x in the lower 16 bits, y in the upper).
-kernel void generate_camera_rays(Camera camera, BatchParams batch, const global uint *restrict pixels, uint count, global Ray *restrict rays,
-                                 global Path *restrict paths, global uint *restrict live, global Sample *restrict samples) {
+/// Slot i becomes the ray of sample first_sample + i % samples of pixel pixels[i / samples].
+kernel void generate_camera_rays(Camera camera, BatchParams batch, FILTER_PARAMS, const global uint *restrict pixels, uint count,
+                                 global Ray *restrict rays, global Path *restrict paths, global uint *restrict live,
+                                 global Sample *restrict samples) {
     FOR_EACH_ITEM(i, count) {
-        const uint entry = i / batch.samples;
-        const uint pixel = pixels[entry];
-        const uint sample = batch.first_sample + (i - entry * batch.samples);
+        const PixelSample which = pixel_sample(i, batch, pixels);
+        const uint pixel = which.pixel, sample = which.sample;
         const uint px = pixel & 0xffffu, py = pixel >> 16;
         const vec2 jitter = sampler_pixel_position(pixel, sample, batch);
         const bool jittered = (batch.position == PIXEL_RANDOM) | (batch.spp > 1u);
-        const float u = jittered ? jitter.x : 0.5f, v = jittered ? jitter.y : 0.5f;
+        const float u = filter_place(jittered ? jitter.x : 0.5f, filter, filter_table);
+        const float v = filter_place(jittered ? jitter.y : 0.5f, filter, filter_table);
         const bool corner = batch.position == PIXEL_CORNER;
         const float x = corner ? (float)(int)px / (float)(int)(max(camera.width, 2u) - 1u) : ((float)(int)px + u) / (float)(int)camera.width;
         const float y = corner ? (float)(int)py / (float)(int)(max(camera.height, 2u) - 1u) : ((float)(int)py + v) / (float)(int)camera.height;

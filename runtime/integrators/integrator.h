@@ -6,6 +6,7 @@
 
 #include "runtime/wavefront/batch.h"
 #include "runtime/wavefront/device_scene.h"
+#include "runtime/wavefront/filter.h"
 #include "runtime/wavefront/ray_counter.h"
 
 namespace brandung {
@@ -35,7 +36,8 @@ struct IntegratorJob {
     const Scene &scene;
     const CompiledScene &compiled;
     const DeviceScene &on_device;
-    uint batch;  ///< rays per wave
+    const Filter &filter;  ///< must live as long as the integrator
+    uint batch;            ///< rays per wave
 };
 struct IntegratorKind {
     const char *name;

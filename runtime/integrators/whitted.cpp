@@ -72,6 +72,7 @@ class WhittedIntegrator : public Integrator {
 public:
     explicit WhittedIntegrator(const IntegratorJob &job)
         : scene_(job.on_device),
+          filter_(job.filter),
           light_count_(job.compiled.header.lights.count),
           branching_(branching(job.compiled)),
           params_{job.scene.integrator.max_depth, job.scene.integrator.threshold},
@@ -101,7 +102,7 @@ public:
     void render(const Batch &batch, Buffer<Sample> &samples) override {
         Level &first = levels_.start(batch.count());
         if (media_) start_interiors(first, batch);
-        generate_(batch.count(), batch.camera, batch.params, batch.pixels, batch.count(), first.rays, first.paths, first.live, samples);
+        generate_(batch.count(), batch.camera, batch.params, filter_, batch.pixels, batch.count(), first.rays, first.paths, first.live, samples);
         while (const auto wave = levels_.next()) {
             trace(*wave);
             evaluate_(wave->count, scene_, *wave, wave->level.rays, hits_, media_ ? media_->etas : no_floats_, points_, interfaces_, directions_);
@@ -175,6 +176,7 @@ private:
     }
 
     const DeviceScene &scene_;
+    const Filter &filter_;
     uint light_count_, branching_;
     WhittedParams params_;
     Kernel generate_, evaluate_, shade_, accumulate_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "scene/bsdfs/bsdf.h"
+#include "scene/filters/filter.h"
 #include "scene/lights/light.h"
 
 namespace brandung {
@@ -49,6 +50,7 @@ Sources specialize(const CompiledScene &scene) {
     sources["generated/lights.cl"] = family(scene.lights, light_kinds(), "lights", "FOR_EACH_LIGHT");
     sources["generated/accelerator.cl"] = include("accelerators/" + scene.accelerator + ".cl");
     sources["generated/sampler.cl"] = include("samplers/stratified.cl");
+    sources["generated/filter.cl"] = include(fmt::format("filters/{}.cl", filter_kinds()[scene.filter].file));
     sources["generated/interior.cl"] = include(scene.transmits ? "core/interior.cl" : "core/no_interior.cl");
     sources["generated/constants.h"] =
         fmt::format("#pragma once\n#define BRANCHING {}u\n#define INTERIOR_SIZE {}u\n#define HIGHLIGHTS {}\n#define SHADING_NORMALS {}\n",

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/accelerators/accelerator.h"
+#include "scene/filters/filter.h"
 #include "scene/formats/format.h"
 #include "scene/formats/limits.h"
 #include "scene/parameters.h"
@@ -12,7 +13,21 @@ namespace brandung {
 namespace {
 
 constexpr uint max_resolution = 65535;
-constexpr float max_exposure = 100;  ///< [EV]: the brightest radiance of a film, 2^16, times 2 to this power is a float
+constexpr float max_filter_radius = 100;  ///< [pixels]
+constexpr float max_exposure = 100;       ///< [EV]: the brightest radiance of a film, 2^16, times 2 to this power is a float
+
+void read_filter(const Parameters &parameters, FilmSettings &film) {
+    std::vector<std::string> names;
+    for (const FilterKind &kind : filter_kinds()) names.emplace_back(kind.name);
+    film.filter = parameters.choice("filter", names, film.filter);
+    const FilterKind &kind = filter_kinds()[film.filter];
+    film.filter_radius = parameters.positive("filter_radius", kind.radius);
+    if (parameters.has("filter_radius") && !kind.has_radius)
+        parameters.fail("filter_radius", fmt::format("the {} is the pixel itself and takes no radius", kind.name));
+    if (film.filter_radius > max_filter_radius)
+        parameters.fail("filter_radius", fmt::format("must be at most {:g} pixels, got {:g}", max_filter_radius, film.filter_radius));
+    if (film.pixel == PIXEL_CORNER && kind.has_radius) parameters.fail("filter", "pixels at corners take no filter but the box");
+}
 
 void read_film(const Parameters &parameters, FilmSettings &film) {
     film.width = parameters.integer("width", film.width, 1, max_resolution);
@@ -20,6 +35,7 @@ void read_film(const Parameters &parameters, FilmSettings &film) {
     film.spp = parameters.integer("spp", film.spp, 1, max_samples);
     film.seed = parameters.integer("seed", film.seed);
     film.pixel = parameters.choice("pixel", {"corner", "center", "random"}, film.pixel);
+    read_filter(parameters, film);
     if (film.pixel == PIXEL_CORNER && film.spp != 1) parameters.fail("pixel", fmt::format("'corner' takes one sample per pixel, not {}", film.spp));
     film.exposure = parameters.number("exposure", film.exposure);
     if (std::abs(film.exposure) > max_exposure)

@@ -15,6 +15,7 @@
 #include "kernels/core/items.h"
 #include "kernels/core/params.h"
 #include "kernels/core/scene.h"
+#include "kernels/filters/filter.h"
 #include "kernels/lights/directional.h"
 #include "kernels/lights/light.h"
 #include "kernels/lights/point.h"
@@ -70,6 +71,7 @@ const Layouts &host_layouts() {
         RECORD(FilmPixel, sums, squares, counts),
         RECORD(Camera, position, corner, right, down, width, height),
         RECORD(BatchParams, pixels, first_sample, samples, spp, columns, rows, seed, position),
+        RECORD(FilterParams, radius, negative_tail, weight),
         RECORD(FilmBand, first_row, rows, width),
         RECORD(WhittedParams, max_depth, threshold),
         RECORD(Span, offset, count),

@@ -10,6 +10,8 @@
 #include "runtime/opencl/embedded_kernels.h"
 #include "runtime/wavefront/specialization.h"
 #include "scene/accelerators/accelerator.h"
+#include "scene/filters/filter.h"
+#include "scene/kinds.h"
 #include "tests/support/primitives.h"
 #include "tests/support/probe.h"
 #include "tests/support/rendering.h"
@@ -44,6 +46,7 @@ Scene everything() {
     Scene scene = spheres_only(glass(1.5f));
     add_soup(scene, 0, {.of_each = 1});
     scene.lights.push_back(directional_light({0, 0, 1}, Spectrum(1)));
+    scene.film.filter = kind_number(filter_kinds(), "gaussian");
     return scene;
 }
 
@@ -132,6 +135,17 @@ TEST(Absence, WhatASceneDoesNotNeedIsNotLaunched) {
     for (const char *kernel : {"trace_shadow_rays", "spawn_shadow_rays"}) EXPECT_FALSE(unlit.contains(kernel)) << kernel;
     EXPECT_FALSE(opaque.contains("spawn_whitted"));
     EXPECT_TRUE(shiny.contains("spawn_whitted"));
+    dark.film.spp = 2, dark.film.filter = kind_number(filter_kinds(), "mitchell");
+    EXPECT_TRUE(launched_by(dark).contains("weigh_samples"));
+    EXPECT_FALSE(opaque.contains("weigh_samples"));
+}
+
+TEST(Absence, OtherFiltersAreNotThere) {
+    Scene scene = spheres_only(matte(0.5f));
+    expect_absent(scene, {"filters/tent.cl", "filters/tabulated.cl"});
+    scene.film.filter = kind_number(filter_kinds(), "tent");
+    expect_absent(scene, {"filters/box.cl", "filters/tabulated.cl"});
+    expect_present(scene, "kernels/stages/generate_camera_rays.cl", "filters/tent.cl");
 }
 
 TEST(Absence, WhatASceneDoesNotNeedIsNotAllocated) {

@@ -6,6 +6,7 @@
 
 #include "kernels/bsdfs/whitted.h"
 #include "scene/error.h"
+#include "scene/filters/filter.h"
 #include "scene/formats/format.h"
 #include "scene/lights/light.h"
 #include "tests/scene/formats/temporary_file.h"
@@ -138,6 +139,28 @@ TEST(Native, SetsValuesBeforeTheyAreInterpreted) {
     EXPECT_EQ(view_of<PointLight>(scene.lights[0]).intensity, Spectrum(1, 2, 3));
     EXPECT_EQ(error_of(small_scene, {"film.spp=0"}), ": /film/spp (set on the command line): must be a whole number from 1 to 16777216, got 0");
     EXPECT_EQ(error_of(small_scene, {"film.sp=1"}), ": /film/sp (set on the command line): unknown key; is \"spp\" meant?");
+}
+
+TEST(Native, FiltersHaveRadiiOfTheirOwn) {
+    const auto radius = [](const std::string &filter, const std::string &more = "film.seed=1") {
+        const FilmSettings film = read_text(small_scene, {"film.filter=" + filter, more}).film;
+        EXPECT_EQ(filter_kinds()[film.filter].name, filter);
+        return film.filter_radius;
+    };
+    EXPECT_EQ(radius("box"), 0.5f);
+    EXPECT_EQ(radius("tent"), 1.0f);
+    EXPECT_EQ(radius("gaussian"), 1.5f);
+    EXPECT_EQ(radius("mitchell"), 2.0f);
+    EXPECT_EQ(radius("blackman_harris"), 1.5f);
+    EXPECT_EQ(radius("gaussian", "film.filter_radius=2.5"), 2.5f);
+    EXPECT_EQ(error_of(small_scene, {"film.filter=lanczos"}),
+              ": /film/filter (set on the command line): must be one of box, tent, gaussian, mitchell, blackman_harris, got \"lanczos\"");
+    EXPECT_EQ(error_of(small_scene, {"film.filter_radius=2"}),
+              ": /film/filter_radius (set on the command line): the box is the pixel itself and takes no radius");
+    EXPECT_EQ(error_of(small_scene, {"film.filter=tent", "film.filter_radius=101"}),
+              ": /film/filter_radius (set on the command line): must be at most 100 pixels, got 101");
+    EXPECT_EQ(error_of(small_scene, {"film.filter=tent", "film.spp=1", "film.pixel=corner"}),
+              ": /film/filter (set on the command line): pixels at corners take no filter but the box");
 }
 
 TEST(Native, RefusesBadSettings) {

@@ -1,0 +1,31 @@
+/// Filter: from where in their pixel samples are drawn, and what they weigh.
+#pragma once
+#include <optional>
+
+#include "runtime/opencl/kernel.h"
+#include "runtime/wavefront/batch.h"
+#include "scene/filters/filter.h"
+#include "scene/scene.h"
+
+namespace brandung {
+
+/// As kernel argument it is FILTER_PARAMS.
+class Filter {
+public:
+    /// `lists`: the generated files of the scene. Throws BuildError, and Error where the device cannot hold the table.
+    Filter(Device &device, const FilmSettings &film, const Sources &lists);
+
+    /// Multiplies the batch's samples by their weights, if some are negative; the others are all 1.
+    void weigh(const Batch &batch, Buffer<Sample> &samples);
+    bool has_weights() const { return weigh_.has_value(); }
+
+    template <class Bind> void for_each_argument(Bind bind) const { bind(params_), bind(table_); }
+    std::size_t bytes() const { return table_.bytes(); }
+
+private:
+    FilterParams params_;
+    Buffer<float> table_;
+    std::optional<Kernel> weigh_;
+};
+
+}  // namespace brandung

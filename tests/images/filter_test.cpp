@@ -1,0 +1,82 @@
+/// Whole pictures through reconstruction filters.
+#include <gtest/gtest.h>
+
+#include "scene/bsdfs/bsdf.h"
+#include "tests/support/filters.h"
+#include "tests/support/rendering.h"
+#include "tests/support/scenes.h"
+
+namespace brandung {
+namespace {
+
+Scene empty_scene(const std::string &filter, uint width, uint height, uint spp) {
+    Scene scene;
+    scene.cameras.push_back({.name = "camera", .from = {0, 0, 1}, .at = {0, 0, 0}, .fov = glm::radians(45.0f)});
+    scene.film.width = width, scene.film.height = height, scene.film.spp = spp;
+    scene.film.filter = filter_number(filter), scene.film.filter_radius = filter_kinds()[scene.film.filter].radius;
+    add_material(scene, matte(0.5f));
+    return scene;
+}
+
+/// White left of `edge` [pixels from the left], black right of it.
+Scene edge_scene(const std::string &filter, uint width, uint height, uint spp, double edge) {
+    Scene scene = empty_scene(filter, width, height, spp);
+    Material white = make_material(Whitted{.exponent = 1});
+    white.emission = Spectrum(1);
+    // The picture plane at distance 1 is 2 tan(fov / 2) high.
+    const float pixel = 2 * std::tan(glm::radians(22.5f)) / float(height), x = float(edge - width / 2.0) * pixel;
+    add_triangle(scene, add_material(scene, white), {x, -100, 0}, {x, 100, 0}, {x - 100, 0, 0});
+    return scene;
+}
+
+class PictureThrough : public testing::TestWithParam<std::string> {};
+
+/// Weights are all 1, or ±norm². Their mean over n samples, 1 in expectation, has a standard deviation of at most sqrt((norm⁴ - 1) / n).
+TEST_P(PictureThrough, AConstantStaysWhatItIs) {
+    Scene scene = empty_scene(GetParam(), 64, 64, 16);
+    scene.background = {0.3f, 0.7f, 1000};
+    const Rendering rendering = render_scene(scene);
+    const double norm = filter_norm(GetParam(), scene.film.filter_radius);
+    glm::dvec3 sum(0);
+    for (const vec3 &pixel : rendering.picture) {
+        if (GetParam() != "mitchell") {
+            ASSERT_EQ(pixel, scene.background);
+        }
+        sum += glm::dvec3(pixel);
+    }
+    const double bound = GetParam() == "mitchell" ? 5 * std::sqrt((std::pow(norm, 4) - 1) / (64 * 64 * 16)) : 1e-7;
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c] / (64 * 64) / scene.background[c], 1, bound);
+}
+
+/// A column's mean is the part of the filter's integral left of the edge. One of n samples has a standard deviation of at most norm² / 2 about a
+/// mean between 0 and 1, and norm² where the weight's sign differs: 5 of them over 32 rows of 256 samples.
+TEST_P(PictureThrough, AnEdgeBecomesTheFiltersIntegral) {
+    constexpr uint width = 12, height = 32, spp = 256;
+    const double edge = 6.3;
+    const Scene scene = edge_scene(GetParam(), width, height, spp, edge);
+    const std::vector<vec3> picture = render_scene(scene).picture;
+    const double radius = scene.film.filter_radius, all = filter_integral(GetParam(), radius, -radius, radius, false);
+    const double norm = filter_norm(GetParam(), radius), bound = 5 * norm * norm * (norm > 1.001 ? 1 : 0.5) / std::sqrt(double(height) * spp);
+    for (uint x = 0; x < width; ++x) {
+        double mean = 0;
+        for (uint y = 0; y < height; ++y) mean += double(picture[y * width + x].x) / height;
+        const double reach = std::clamp(edge - (x + 0.5), -radius, radius);
+        EXPECT_NEAR(mean, filter_integral(GetParam(), radius, -radius, reach, false) / all, bound) << "column " << x;
+    }
+}
+
+TEST_P(PictureThrough, HasTheSameBitsForEveryBatch) {
+    const Scene scene = edge_scene(GetParam(), 13, 7, 9, 6.3);
+    const std::uint64_t hash = film_hash(render_scene(scene).film);
+    for (const uint batch : {1u, 7u, 100u, 1u << 17}) EXPECT_EQ(hash, film_hash(render_scene(scene, {.batch = batch}).film)) << batch;
+}
+
+/// A single sample in the middle is drawn from no filter.
+TEST_P(PictureThrough, OneSampleInTheMiddleIsTheBoxs) {
+    EXPECT_EQ(film_hash(render_scene(edge_scene(GetParam(), 13, 7, 1, 6.3)).film), film_hash(render_scene(edge_scene("box", 13, 7, 1, 6.3)).film));
+}
+
+INSTANTIATE_TEST_SUITE_P(Images, PictureThrough, testing::ValuesIn(filter_names()), [](const auto &info) { return info.param; });
+
+}  // namespace
+}  // namespace brandung
