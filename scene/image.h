@@ -15,9 +15,16 @@ struct Picture {
     std::map<std::string, std::string> metadata;
 };
 
-/// Floats as they are, integers decoded from the sRGB curve unless the file says that they are linear; channels beside red, green and blue are left
-/// out, transparency too. Of a file with several pictures the first; of one with a data window that window. Throws SceneError.
-Picture read_picture(const std::string &file);
+/// How a file's numbers stand for linear light.
+enum class Encoding : uint {
+    automatic,  ///< floats as linear, integers by the sRGB curve unless the file says that they are linear
+    srgb,
+    linear,
+};
+
+/// Channels beside red, green and blue are left out, transparency too. Of a file with several pictures the first; of one with a data window that
+/// window. Throws SceneError.
+Picture read_picture(const std::string &file, Encoding encoding = Encoding::automatic);
 
 /// Throws SceneError if OpenImageIO knows no format of the file's extension, if the format cannot take a picture of that size, or if no file could
 /// be written there.

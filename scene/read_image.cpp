@@ -48,7 +48,7 @@ std::map<std::string, std::string> texts(const OIIO::ImageSpec &spec) {
 
 }  // namespace
 
-Picture read_picture(const std::string &file) {
+Picture read_picture(const std::string &file, Encoding encoding) {
     const auto input = open(file);
     const OIIO::ImageSpec &spec = input->spec();
     const std::size_t channels = std::size_t(spec.nchannels), pixels = std::size_t(spec.width) * std::size_t(spec.height);
@@ -57,7 +57,7 @@ Picture read_picture(const std::string &file) {
 
     Picture picture{uint(spec.width), uint(spec.height), std::vector<vec3>(pixels), texts(spec)};
     const std::array<std::size_t, 3> colour = colour_channels(spec);
-    const bool linear = is_linear(spec);
+    const bool linear = encoding == Encoding::linear || (encoding == Encoding::automatic && is_linear(spec));
     for (std::size_t i = 0; i < pixels; ++i)
         for (std::size_t c = 0; c < 3; ++c) {
             const float value = values[i * channels + colour[c]];

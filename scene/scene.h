@@ -8,6 +8,7 @@
 #include "kernels/core/params.h"
 #include "kernels/core/scene.h"
 #include "scene/primitives/shape.h"
+#include "scene/textures/texture.h"
 
 namespace brandung {
 
@@ -46,6 +47,7 @@ struct Scene {
     std::string file;
     std::vector<CameraDescription> cameras;  ///< the first is the default
     std::vector<NamedMaterial> materials;
+    std::vector<Texture> textures;
     std::vector<std::unique_ptr<Shape>> shapes;
     std::vector<Light> lights;
     Spectrum background{0}, ambient{0};

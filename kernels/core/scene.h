@@ -25,10 +25,11 @@ typedef struct {
 /// A surface's material; 128 bytes. `words` is the kind's own.
 typedef struct {
     uint kind, flags;
-    uint priority;      ///< of the medium inside; where several overlap, the highest counts
-    float eta;          ///< index of refraction inside
-    Spectrum emission;  ///< radiance
-    uint words[25];
+    uint priority;                           ///< of the medium inside; where several overlap, the highest counts
+    float eta;                               ///< index of refraction inside
+    Spectrum emission;                       ///< radiance
+    uint diffuse_texture, specular_texture;  ///< number + 1 of the pictures that these reflectances are multiplied by; 0: none
+    uint words[23];
 } Material;
 
 /// A light; 64 bytes. `words` is the kind's own.

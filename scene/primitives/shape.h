@@ -59,10 +59,11 @@ std::unique_ptr<Shape> make_sphere(uint material, vec3 center, float radius);
 /// From base to apex, without caps; both radii negative: only the inside is visible.
 std::unique_ptr<Shape> make_frustum(uint material, vec3 base, float base_radius, vec3 apex, float apex_radius);
 
-/// Vertices shared by triangles; `normals` (unit length) and `uvs` are empty or as many as `positions`.
+/// Vertices shared by triangles; `normals` (unit length), `uvs` and `colors` (factors of the diffuse reflectance) are empty or as many as `positions`.
 struct MeshData {
     std::vector<vec3> positions, normals;
     std::vector<vec2> uvs;
+    std::vector<Spectrum> colors;
     std::vector<uint> indices;  ///< three per triangle
 };
 std::unique_ptr<Shape> make_triangle_mesh(uint material, MeshData mesh);

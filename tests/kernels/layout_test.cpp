@@ -76,7 +76,7 @@ const Layouts &host_layouts() {
         RECORD(WhittedParams, max_depth, threshold),
         RECORD(Span, offset, count),
         RECORD(ShadingRecord, kind, material, words),
-        RECORD(Material, kind, flags, priority, eta, emission, words),
+        RECORD(Material, kind, flags, priority, eta, emission, diffuse_texture, specular_texture, words),
         RECORD(Light, kind, words),
         RECORD(Group, blocks, nodes, extent),
         RECORD(SceneHeader, world, shading, vertex_normals, materials, lights, background, ambient),

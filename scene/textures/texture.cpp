@@ -1,0 +1,47 @@
+#include "scene/textures/texture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/error.h"
+#include "scene/scene.h"
+
+namespace brandung {
+namespace {
+
+/// What no surface can reflect and no film hold: negative parts, NaN and infinity become 0, what is too bright the brightest. Gives how many texels
+/// had it.
+uint repair_texels(Picture &picture) {
+    uint repaired = 0;
+    for (vec3 &texel : picture.pixels) {
+        const vec3 before = texel;
+        for (int c = 0; c < 3; ++c) texel[c] = std::isfinite(texel[c]) ? std::clamp(texel[c], 0.0f, largest_texel) : 0.0f;
+        repaired += texel != before;
+    }
+    return repaired;
+}
+
+}  // namespace
+
+uint read_texture(Scene &scene, const std::string &file, const TextureOptions &options) {
+    const auto same = [&](const Texture &texture) { return texture.file == file && texture.options == options; };
+    const auto known = std::find_if(scene.textures.begin(), scene.textures.end(), same);
+    if (known != scene.textures.end()) return static_cast<uint>(known - scene.textures.begin()) + 1;
+    Texture &texture = scene.textures.emplace_back(Texture{file, options, read_picture(file, options.encoding)});
+    if (const uint repaired = repair_texels(texture.picture))
+        scene.warnings[fmt::format("texture {}: texels that are negative, not finite or above {:g}: cut", file, largest_texel)] += repaired;
+    return static_cast<uint>(scene.textures.size());
+}
+
+uint add_texture(Scene &scene, const std::string &file, const TextureOptions &options) {
+    try {
+        return read_texture(scene, file, options);
+    } catch (const SceneError &error) {
+        ++scene.warnings[fmt::format("texture left out: {}", error.what())];
+        return 0;
+    }
+}
+
+}  // namespace brandung
