@@ -83,6 +83,8 @@ float extent_of(const std::vector<Reference> &references) {
     return std::max({largest.x, largest.y, largest.z});
 }
 
+bool is_textured(const Material &material) { return material.diffuse_texture != 0 || material.specular_texture != 0; }
+
 void add_primitives(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     const std::vector<PrimitiveOf> primitives = primitives_in_order(scene);
     compiled.primitives = kinds_in_use(scene);
@@ -98,6 +100,7 @@ void add_primitives(const Scene &scene, CompiledScene &compiled, Arena &arena) {
         const uint kind = number_of(compiled.primitives, primitive.shape->kind());
         ++compiled.counts[kind];
         references.push_back({primitive.shape->bounds(primitive.i), kind});
+        tables.wants_uvs = is_textured(scene.materials.at(primitive.shape->material).record);
         ShadingRecord &record = shading.emplace_back(ShadingRecord{kind, primitive.shape->material, {}});
         primitive.shape->write_shading(primitive.i, record.words, tables);
     }
@@ -115,6 +118,11 @@ void add_primitives(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     world.nodes = arena.add(built.nodes, built.node_count);
     compiled.header.shading = arena.add(shading);
     compiled.header.vertex_normals = arena.add(tables.vertex_normals);
+    compiled.header.vertex_uvs = arena.add(tables.vertex_uvs);
+    compiled.header.vertex_colors = arena.add(tables.vertex_colors);
+    compiled.tints |= !tables.vertex_colors.empty();
+    if (tables.lack_uvs > 0)
+        compiled.warnings["triangle with a texture, but without texture coordinates: has the colour at (0, 0)"] = static_cast<uint>(tables.lack_uvs);
     compiled.shading_normals = !tables.vertex_normals.empty();
 }
 
@@ -148,6 +156,21 @@ void count_media(const Scene &scene, const std::vector<bool> &used, CompiledScen
     while (compiled.interior_size < std::min(compiled.media, max_interior_size)) compiled.interior_size = std::max(1u, 2 * compiled.interior_size);
 }
 
+void add_textures(const Scene &scene, const std::vector<Material> &used_materials, CompiledScene &compiled, Arena &arena) {
+    std::vector<bool> used(scene.textures.size());
+    const auto use = [&](uint number) {
+        if (number > 0) used.at(number - 1) = true;
+    };
+    for (const Material &material : used_materials) use(material.diffuse_texture), use(material.specular_texture);
+    use(scene.background_texture);
+    TexturePixels pixels = pixels_of(scene.textures, used);
+    compiled.header.textures = arena.add(pixels.records);
+    compiled.header.background_texture = scene.background_texture;
+    compiled.header.background_turn = scene.background_turn;
+    compiled.texels = std::move(pixels.texels);
+    compiled.tints |= !compiled.texels.empty();
+}
+
 void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     const std::vector<bool> used = materials_in_use(scene);
     std::vector<Material> materials, used_materials;
@@ -160,6 +183,7 @@ void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
         compiled.highlights |= (material.flags & MATERIAL_HIGHLIGHT) != 0;
     }
     count_media(scene, used, compiled);
+    add_textures(scene, used_materials, compiled, arena);
     compiled.bsdfs = kinds_of(used_materials);
     compiled.lights = kinds_of(scene.lights);
     compiled.header.materials = arena.add(materials);

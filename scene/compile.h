@@ -17,6 +17,7 @@ inline constexpr uint max_interior_size = 8;
 struct CompiledScene {
     SceneHeader header{};
     std::vector<std::byte> arena;
+    std::vector<std::uint16_t> texels;              ///< of textures in use
     std::vector<const PrimitiveKind *> primitives;  ///< kinds in use; a kind's place is its number on the device
     std::vector<uint> bsdfs, lights;                ///< kinds in use: places in bsdf_kinds() and light_kinds(), which are their numbers
     uint filter = 0;                                ///< in use: its place in filter_kinds()
@@ -24,6 +25,7 @@ struct CompiledScene {
     bool reflects = false, transmits = false;  ///< whether any material spawns such rays
     bool highlights = false;                   ///< whether any material has one
     bool shading_normals = false;              ///< whether any primitive has normals of its own for shading
+    bool tints = false;                        ///< whether pictures or vertices give any hit or miss a colour
     uint interior_size = 0;                    ///< entries of a ray's list of media: at least the number of `media` up to max_interior_size
     uint media = 0;                            ///< transparent materials of things, and those that an eye is in, if there are things to refract
     std::size_t primitive_count = 0;

@@ -176,6 +176,8 @@ const json *Parameters::find(const std::string &name) const {
 
 bool Parameters::has(const std::string &name) const { return find(name) != nullptr; }
 
+bool Parameters::is_object(const std::string &name) const { return has(name) && find(name)->is_object(); }
+
 float Parameters::number(const std::string &name, std::optional<float> fallback) const { return read_or(name, fallback, read_number); }
 float Parameters::positive(const std::string &name, std::optional<float> fallback) const { return read_or(name, fallback, read_positive); }
 float Parameters::not_negative(const std::string &name, std::optional<float> fallback) const { return read_or(name, fallback, read_not_negative); }

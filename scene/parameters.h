@@ -20,6 +20,7 @@ public:
     Parameters(const Document &document, std::string pointer);
 
     bool has(const std::string &name) const;
+    bool is_object(const std::string &name) const;
 
     // Single values. Without a fallback, a missing one is an error.
     float number(const std::string &name, std::optional<float> fallback = {}) const;

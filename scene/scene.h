@@ -51,6 +51,8 @@ struct Scene {
     std::vector<std::unique_ptr<Shape>> shapes;
     std::vector<Light> lights;
     Spectrum background{0}, ambient{0};
+    uint background_texture = 0;  ///< number + 1 of the panorama that the background is multiplied by; 0: none
+    float background_turn = 0;    ///< by which it is turned about the y axis [turns]
     FilmSettings film;
     IntegratorSettings integrator;
     std::string accelerator = "auto";

@@ -63,10 +63,16 @@ std::uint64_t scene_hash(const Scene &scene, const CompiledScene &compiled) {
     Hash hash;
     hash.add(records(header.shading, sizeof(ShadingRecord)));
     hash.add(records(header.vertex_normals, sizeof(VertexNormals)));
+    hash.add(records(header.vertex_uvs, sizeof(VertexUvs)));
+    hash.add(records(header.vertex_colors, sizeof(VertexColors)));
+    hash.add(records(header.textures, sizeof(TextureRecord)));
+    hash.add(std::as_bytes(std::span(compiled.texels)));
     hash.add(records(header.materials, sizeof(Material)));
     hash.add(records(header.lights, sizeof(Light)));
     for (const auto &shape : scene.shapes) add_lanes(*shape, hash);
     hash.add_value(header.background);
+    hash.add_value(header.background_texture);
+    hash.add_value(header.background_turn);
     hash.add_value(header.ambient);
     for (const CameraDescription &camera : scene.cameras) add_camera(scene, camera, hash);
     return hash.value();

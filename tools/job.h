@@ -37,7 +37,7 @@ struct Job {
     Job(const Scene &scene, const SceneOptions &options, std::function<bool(const RenderProgress &)> on_progress,
         std::function<void(const std::string &)> on_build);
     /// Of scene, film and waves, at most.
-    std::size_t bytes() const { return on_device.bytes() + film.bytes() + renderer.wave_bytes(); }
+    std::size_t bytes() const { return on_device.bytes() + on_device.texture_bytes() + film.bytes() + renderer.wave_bytes(); }
 
     PhaseSeconds seconds;
     const Scene &scene;

@@ -12,7 +12,7 @@ nlohmann::json scene_contents(const Scene &scene, const CompiledScene &compiled)
 nlohmann::json features(const Job &job);
 /// The same, one thing a line.
 std::string explain(const nlohmann::json &features);
-/// {"scene_bytes": ..., "wave_bytes": ..., "film_bytes": ...}
+/// {"scene_bytes": ..., "texture_bytes": ..., "wave_bytes": ..., "film_bytes": ...}
 nlohmann::json memory(const Job &job);
 /// The fields of --stats: names are a promise. Of the times those that `seconds` knows.
 nlohmann::json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &end);

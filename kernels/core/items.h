@@ -62,6 +62,11 @@ typedef struct {
     float eta;       ///< index of refraction on the side of `wo` over that beyond
 } SurfaceInterface;
 
+/// By what textures and vertices' colours multiply the reflectances at a hit; after a miss, `diffuse` multiplies the background; 24 bytes.
+typedef struct {
+    Spectrum diffuse, specular;
+} Tints;
+
 /// Rays and hits that one work-item of a tracing stage has seen, by kind of ray.
 typedef struct {
     uint rays[RAY_KINDS], hits[RAY_KINDS];

@@ -4,6 +4,8 @@
 #pragma once
 #include "kernels/core/lanes_1.cl"
 
+#define INVERSE_TWO_PI 0.159154943f
+
 /// The least float above x (IEEE 754 nextUp): above -0 lies the least subnormal; infinity stays.
 FUNCTION float next_up(float x) {
     const uint bits = as_uint(x) == 0x80000000u ? 0u : as_uint(x), next = bits < 0x80000000u ? bits + 1u : bits - 1u;
@@ -70,6 +72,26 @@ FUNCTION float logarithm(float x) {
     // ln 2 is rounded down: infinity times either part has the same sign.
     const TwoFloats l = logarithm_of_base_two(x);
     return fma(l.high, 6.931471229e-01f, fma(l.high, 5.769999048e-08f, l.low * 6.931471229e-01f));
+}
+
+/// Angle of (x, y) from the x axis, in [-pi, pi], as C's atan2(y, x): for magnitudes up to 2^126, within 1.9 ulp (2^23 pairs tried); (0, 0) gives 0
+/// or pi. The ratio of the smaller to the larger is brought to |t| <= tan(pi / 8); atan t = t + t z p(z), z = t^2, p minimax (2^-30.4 relative to
+/// atan; Remez).
+FUNCTION float arctangent(float y, float x) {
+    const float a = fabs(x), b = fabs(y), small = minimum(a, b), large = maximum(maximum(a, b), 0x1p-149f);
+    const bool upper = small > 0.414213562f * large, steep = b > a, left = as_int(x) < 0;
+    const float t = upper ? (small - large) / (small + large) : small / large;
+    const float z = t * t;
+    float p = fma(z, -6.077990703e-02f, 1.059372697e-01f);
+    p = fma(z, p, -1.424352224e-01f);
+    p = fma(z, p, 1.999847096e-01f);
+    p = fma(z, p, -3.333331518e-01f);
+    const float q = fma(t * z, p, t);
+    // Multiples of pi / 4 in two floats each.
+    const float first = upper ? 0.785398185f + (q - 2.18556941e-08f) : q;
+    const float second = steep ? 1.57079637f - (first + 4.37113883e-08f) : first;
+    const float third = left ? 3.14159274f - (second + 8.74227766e-08f) : second;
+    return copysign(third, y);
 }
 
 /// x^y, x >= 0 (-0 is 0), all y: within 0.96 ulp (4.5e8 pairs tried, many with x near 1 or results near the ends); x^0 = 1^y = 1 even with NaN.

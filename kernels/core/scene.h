@@ -47,8 +47,12 @@ typedef struct {
 
 typedef struct {
     Group world;
-    Span shading;         ///< ShadingRecord per primitive, in scene order
-    Span vertex_normals;  ///< VertexNormals of smooth triangles
+    Span shading;                    ///< ShadingRecord per primitive, in scene order
+    Span vertex_normals;             ///< VertexNormals of smooth triangles
+    Span vertex_uvs, vertex_colors;  ///< VertexUvs, VertexColors of triangles that have some
     Span materials, lights;
+    Span textures;  ///< TextureRecord
     Spectrum background, ambient;
+    uint background_texture;  ///< number + 1 of the picture that the background is multiplied by; 0: none
+    float background_turn;    ///< by which the picture is turned about the y axis [turns]
 } SceneHeader;

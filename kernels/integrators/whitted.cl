@@ -1,6 +1,7 @@
 // Whitted's integrator (CACM 23(6) 1980): what happens at a hit. The loop over these kernels is runtime/integrators/whitted.cpp.
 #include "generated/constants.h"
 #include "generated/interior.cl"
+#include "generated/tints.cl"
 #include "kernels/bsdfs/bsdf.cl"
 #include "kernels/core/load.cl"
 #include "kernels/core/params.h"
@@ -105,8 +106,8 @@ typedef struct {
 /// contributions[i]: what hit i adds to its sample by the `lights` lights of this block whose visible[row * stride + i] is set; the first
 /// block also brings what needs no light: background, emission, ambient light.
 kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint lights, uint stride, const global Path *restrict paths,
-                          const global SurfacePoint *restrict points, const global vec3 *restrict directions, const global uchar *restrict visible,
-                          global Spectrum *restrict contributions) {
+                          const global SurfacePoint *restrict points, const global vec3 *restrict directions, const global Tints *restrict tints,
+                          const global uchar *restrict visible, global Spectrum *restrict contributions) {
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     const Spectrum background = scene.header->background, ambient = scene.header->ambient, black = make3(0.0f, 0.0f, 0.0f);
@@ -116,10 +117,12 @@ kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint ligh
         FOR_EACH_ITEM(i, count) {
             const uint flags = points[i].flags;
             const global Material *material = materials + points[i].material;
-            const Spectrum own = plus(load(&material->emission), times(ambient, bsdf_ambient(material)));
-            const Spectrum unlit = where((flags & SURFACE_HIT) != 0u, own, background);
+            const Tints tint = tints_at(tints, i);
+            const Spectrum own = plus(load(&material->emission), times(times(ambient, bsdf_ambient(material)), tint.diffuse));
+            const Spectrum unlit = where((flags & SURFACE_HIT) != 0u, own, times(background, tint.diffuse));
             const Spectrum sum = where(first_light == 0u, unlit, black);
-            const Phong phong = bsdf_phong(material);
+            Phong phong = bsdf_phong(material);
+            phong.diffuse = times(phong.diffuse, tint.diffuse), phong.specular = times(phong.specular, tint.specular);
             const uint c = i - begin;
             columns.sum[0][c] = sum.x, columns.sum[1][c] = sum.y, columns.sum[2][c] = sum.z;
             columns.diffuse[0][c] = phong.diffuse.x, columns.diffuse[1][c] = phong.diffuse.y, columns.diffuse[2][c] = phong.diffuse.z;

@@ -2,6 +2,7 @@
 #pragma once
 #include "kernels/core/load.cl"
 #include "kernels/core/items.h"
+#include "kernels/core/math.cl"
 #include "kernels/core/scene.cl"
 #include "kernels/primitives/frustum.h"
 #include "kernels/primitives/surface.h"
@@ -12,6 +13,7 @@ FUNCTION FrustumShading frustum_view(const global ShadingRecord *record) {
     frustum.axis = load_floats(record->words + 3);
     frustum.radius = as_float(record->words[6]);
     frustum.slope = as_float(record->words[7]);
+    frustum.half_length = as_float(record->words[8]);
     return frustum;
 }
 
@@ -30,4 +32,16 @@ FUNCTION Surface frustum_surface(Scene scene, const global ShadingRecord *record
     surface.geometric = unit(minus(outward, scaled(frustum.axis, frustum.slope)));
     surface.normal = surface.geometric;
     return surface;
+}
+
+/// v grows from the base, 0, to the apex, 1; u runs around the axis, counterclockwise as seen from the apex.
+FUNCTION Pattern frustum_pattern(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
+    const FrustumShading frustum = frustum_view(record);
+    const vec3 f = plus(minus(ray.origin, frustum.center), scaled(ray.direction, hit.t)), axis = frustum.axis;
+    const vec3 x = unit(fabs(axis.x) > fabs(axis.z) ? make3(-axis.y, axis.x, 0.0f) : make3(0.0f, -axis.z, axis.y));
+    const vec3 y = make3(axis.y * x.z - axis.z * x.y, axis.z * x.x - axis.x * x.z, axis.x * x.y - axis.y * x.x);
+    Pattern pattern = {{0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}};
+    pattern.uv.x = 0.5f + INVERSE_TWO_PI * arctangent(dot3(f, y), dot3(f, x));
+    pattern.uv.y = 0.5f + 0.5f * dot3(f, axis) / frustum.half_length;
+    return pattern;
 }

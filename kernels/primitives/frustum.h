@@ -16,5 +16,5 @@ typedef struct {
 /// View of ShadingRecord.words.
 typedef struct {
     vec3 center, axis;
-    float radius, slope;
+    float radius, slope, half_length;
 } FrustumShading;

@@ -26,6 +26,16 @@ FUNCTION Surface primitive_surface_serially(Scene scene, const global ShadingRec
     return surface;
 }
 
+/// Colours there, serially too.
+FUNCTION Pattern primitive_pattern(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
+    Pattern pattern;
+#define CASE(KIND, Record, name) \
+    if (record->kind == KIND) pattern = name##_pattern(scene, record, ray, hit);
+    FOR_EACH_PRIMITIVE(CASE)
+#undef CASE
+    return pattern;
+}
+
 /// Where the ray met the primitive that `record` describes.
 FUNCTION Surface primitive_surface(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
     Surface surface;

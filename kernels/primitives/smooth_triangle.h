@@ -6,7 +6,7 @@ typedef TriangleBlock SmoothTriangleBlock;
 
 /// View of ShadingRecord.words.
 typedef struct {
-    vec3 a, b, c;
+    TriangleShading flat;
     uint normals;  ///< its entry in SceneHeader.vertex_normals
 } SmoothTriangleShading;
 

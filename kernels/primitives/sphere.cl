@@ -2,6 +2,7 @@
 #pragma once
 #include "kernels/core/load.cl"
 #include "kernels/core/items.h"
+#include "kernels/core/math.cl"
 #include "kernels/core/scene.cl"
 #include "kernels/primitives/sphere.h"
 #include "kernels/primitives/surface.h"
@@ -30,4 +31,13 @@ FUNCTION Surface sphere_surface(Scene scene, const global ShadingRecord *record,
     // The difference's own rounding; and of the first point's error, 2^-21 of its terms, the correction leaves 2^-21, the offset's rounding less.
     surface.error = plus(scaled(absolute(surface.p), 0x1p-22f), scaled(plus(absolute(sphere.center), make3(radius, radius, radius)), 0x1p-38f));
     return surface;
+}
+
+/// The y axis leads to the pole at v = 1; u = 1/2 faces the z axis and grows towards the x axis.
+FUNCTION Pattern sphere_pattern(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
+    const vec3 f = plus(minus(ray.origin, sphere_view(record).center), scaled(ray.direction, hit.t));
+    Pattern pattern = {{0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}};
+    pattern.uv.x = 0.5f + INVERSE_TWO_PI * arctangent(f.x, f.z);
+    pattern.uv.y = 1.0f - 2.0f * INVERSE_TWO_PI * arctangent(sqrt(f.x * f.x + f.z * f.z), f.y);
+    return pattern;
 }

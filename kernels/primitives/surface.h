@@ -8,3 +8,9 @@ typedef struct {
     vec3 geometric;  ///< unit normal to the outside
     vec3 normal;     ///< shading normal, unit length, to the same side
 } Surface;
+
+/// Pattern: what a primitive knows of the colours at a point on it; never stored.
+typedef struct {
+    vec2 uv;         ///< texture coordinates
+    Spectrum color;  ///< of its vertices, else white
+} Pattern;

@@ -35,3 +35,20 @@ FUNCTION Surface triangle_surface(Scene scene, const global ShadingRecord *recor
     surface.normal = surface.geometric;
     return surface;
 }
+
+/// Both are interpolated between the vertices.
+FUNCTION Pattern triangle_pattern(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
+    const uint uvs = record->words[9], colors = record->words[10];
+    const float w = 1.0f - hit.u - hit.v;
+    Pattern pattern = {{0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}};
+    if (uvs != 0u) {
+        const VertexUvs at = SCENE_ARRAY(scene, VertexUvs, vertex_uvs)[uvs - 1u];
+        pattern.uv.x = at.a.x * w + at.b.x * hit.u + at.c.x * hit.v;
+        pattern.uv.y = at.a.y * w + at.b.y * hit.u + at.c.y * hit.v;
+    }
+    if (colors != 0u) {
+        const VertexColors at = SCENE_ARRAY(scene, VertexColors, vertex_colors)[colors - 1u];
+        pattern.color = plus(scaled(at.a, maximum(w, 0.0f)), plus(scaled(at.b, hit.u), scaled(at.c, hit.v)));
+    }
+    return pattern;
+}

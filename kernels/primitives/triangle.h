@@ -10,4 +10,15 @@ typedef struct {
 /// View of ShadingRecord.words.
 typedef struct {
     vec3 a, b, c;
+    uint uvs, colors;  ///< 1 + its entry in SceneHeader.vertex_uvs and .vertex_colors; 0: none
 } TriangleShading;
+
+/// Texture coordinates of a triangle's vertices.
+typedef struct {
+    vec2 a, b, c;
+} VertexUvs;
+
+/// Colours of a triangle's vertices.
+typedef struct {
+    Spectrum a, b, c;
+} VertexColors;

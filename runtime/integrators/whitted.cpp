@@ -44,6 +44,14 @@ struct Interfaces {
     std::size_t bytes() const { return beyond.bytes() + etas.bytes() + crowded.bytes(); }
 };
 
+/// Colours of pictures and vertices: only where the scene has some.
+struct Pictures {
+    explicit Pictures(const IntegratorJob &job)
+        : look_up(job.device, "kernels/stages/look_up_textures.cl", "look_up_textures", job.on_device.lists()), tints(job.device, job.batch) {}
+    Kernel look_up;
+    Buffer<Tints> tints;
+};
+
 /// Shadow rays of a block of lights: row r, of `stride` slots, goes to the block's r-th light. Only where there are lights.
 struct Shadows {
     Shadows(const IntegratorJob &job, uint rows)
@@ -90,11 +98,13 @@ public:
           no_bytes_(job.device, 1),
           no_words_(job.device, 1),
           no_floats_(job.device, 1),
+          no_tints_(job.device, 1),
           counter_(job.device, generate_.work_items(job.batch) * std::clamp(light_count_, 1u, lights_per_block)) {
         if (job.device.info().cpu) intersect_packets_.emplace(job.device, "kernels/stages/intersect_packets.cl", "intersect_packets", scene_.lists());
         if (branching_ > 0 || !intersect_packets_) intersect_.emplace(job.device, "kernels/stages/intersect.cl", "intersect", scene_.lists());
         if (branching_ > 0) secondary_.emplace(job, branching_);
         if (job.compiled.transmits) media_.emplace(job);
+        if (job.compiled.tints) pictures_.emplace(job);
         if (light_count_ > 0) shadows_.emplace(job, std::min(light_count_, lights_per_block));
         refused_.fill_zero();
     }
@@ -106,6 +116,7 @@ public:
         while (const auto wave = levels_.next()) {
             trace(*wave);
             evaluate_(wave->count, scene_, *wave, wave->level.rays, hits_, media_ ? media_->etas : no_floats_, points_, interfaces_, directions_);
+            if (pictures_) pictures_->look_up(wave->count, scene_, scene_.texels(), *wave, wave->level.rays, hits_, points_, pictures_->tints);
             if (wave->children) spawn(*wave);
             for (uint light = 0; light == 0 || light < light_count_; light += lights_per_block) shade(*wave, light, samples);
             if (wave->children) levels_.add_children(*wave, secondary_->compact.counts().read().at(0));
@@ -117,12 +128,14 @@ public:
     std::uint64_t media_lost() const override { return media_ ? media_->lost.read().at(0) : 0; }
     std::size_t wave_bytes() const override {
         return levels_.bytes_at_most() + hits_.bytes() + points_.bytes() + interfaces_.bytes() + directions_.bytes() + contributions_.bytes() +
-               counter_.bytes() + (media_ ? media_->bytes() : 0) + (secondary_ ? secondary_->bytes() : 0) + (shadows_ ? shadows_->bytes() : 0);
+               counter_.bytes() + (media_ ? media_->bytes() : 0) + (pictures_ ? pictures_->tints.bytes() : 0) +
+               (secondary_ ? secondary_->bytes() : 0) + (shadows_ ? shadows_->bytes() : 0);
     }
     std::vector<Skipped> skipped() const override {
         std::vector<Skipped> skipped;
         if (!secondary_) skipped.push_back({"spawn_whitted", "no material reflects or transmits"});
         if (!media_) skipped.push_back({"find_interfaces", "no material transmits: refracted rays and lists of media are not stored"});
+        if (!pictures_) skipped.push_back({"look_up_textures", "there are no pictures on surfaces or as background, and no vertex colours"});
         if (!shadows_) skipped.push_back({"trace_shadow_rays", "there are no lights"});
         return skipped;
     }
@@ -160,7 +173,8 @@ private:
         const uint rows = std::min(light_count_ - light, lights_per_block), stride = shadows_ ? shadows_->stride : 0;
         if (rows > 0) trace_shadows(wave, light, rows);
         const Buffer<std::uint8_t> &visible = shadows_ ? shadows_->visible : no_bytes_;
-        shade_(wave.count, scene_, wave, light, rows, stride, wave.level.paths, points_, directions_, visible, contributions_);
+        const Buffer<Tints> &tints = pictures_ ? pictures_->tints : no_tints_;
+        shade_(wave.count, scene_, wave, light, rows, stride, wave.level.paths, points_, directions_, tints, visible, contributions_);
         accumulate_(wave.count, wave, wave.level.paths, contributions_, samples, refused_);
     }
 
@@ -191,8 +205,10 @@ private:
     Buffer<std::uint8_t> no_bytes_;  ///< these stand for arrays that the scene does without
     Buffer<uint> no_words_;
     Buffer<float> no_floats_;
+    Buffer<Tints> no_tints_;
     RayCounter counter_;
     std::optional<Interfaces> media_;
+    std::optional<Pictures> pictures_;
     std::optional<Secondary> secondary_;
     std::optional<Shadows> shadows_;
 };

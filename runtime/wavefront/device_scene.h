@@ -8,18 +8,26 @@ namespace brandung {
 /// As kernel argument it is SCENE_PARAMS: header and arena.
 class DeviceScene {
 public:
-    /// Copies the records to the device, and writes the generated files. Throws Error if one allocation of the device cannot hold the arena.
+    /// Copies records and texels to the device, and writes the generated files. Throws Error if one allocation of the device cannot hold the arena or
+    /// the texels.
     DeviceScene(Device &device, const CompiledScene &scene)
-        : header_(device, std::span(&scene.header, 1)), arena_(device, scene.arena), lists_(specialize(scene)) {}
+        : header_(device, std::span(&scene.header, 1)),
+          arena_(device, scene.arena),
+          texels_(device, std::span<const std::uint16_t>(scene.texels)),
+          lists_(specialize(scene)) {}
 
     template <class Bind> void for_each_argument(Bind bind) const { bind(header_), bind(arena_); }
     /// The generated files of this scene.
     const Sources &lists() const { return lists_; }
+    const Buffer<std::uint16_t> &texels() const { return texels_; }
+    /// Of header and arena.
     std::size_t bytes() const { return header_.bytes() + arena_.bytes(); }
+    std::size_t texture_bytes() const { return texels_.bytes(); }
 
 private:
     Buffer<SceneHeader> header_;
     Buffer<std::byte> arena_;
+    Buffer<std::uint16_t> texels_;  ///< empty in scenes without pictures
     Sources lists_;
 };
 

@@ -8,12 +8,13 @@
 namespace brandung {
 
 class Parameters;
+struct Scene;
 
 /// `kernels/bsdfs/<name>.cl` has its device functions; Material.kind is its place in bsdf_kinds().
 struct BsdfKind {
-    const char *name;    ///< in scene files and as prefix of device functions
-    const char *record;  ///< its view of Material.words
-    Material (*read)(const Parameters &parameters);
+    const char *name;                                              ///< in scene files and as prefix of device functions
+    const char *record;                                            ///< its view of Material.words
+    Material (*read)(const Parameters &parameters, Scene &scene);  ///< may add textures to the scene
 };
 const std::vector<BsdfKind> &bsdf_kinds();
 /// Sets kind, words and the flags that follow from them; eta, priority and emission are the caller's.

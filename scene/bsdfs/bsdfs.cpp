@@ -3,7 +3,7 @@
 
 namespace brandung {
 
-Material read_whitted(const Parameters &parameters);
+Material read_whitted(const Parameters &parameters, Scene &scene);
 
 const std::vector<BsdfKind> &bsdf_kinds() {
     static const std::vector<BsdfKind> kinds = {

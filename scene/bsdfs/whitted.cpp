@@ -2,6 +2,7 @@
 #include "scene/bsdfs/bsdf.h"
 #include "scene/kinds.h"
 #include "scene/parameters.h"
+#include "scene/textures/textured.h"
 
 namespace brandung {
 namespace {
@@ -23,17 +24,20 @@ Material make_material(const Whitted &whitted) {
     return material;
 }
 
-Material read_whitted(const Parameters &parameters) {
+Material read_whitted(const Parameters &parameters, Scene &scene) {
     Whitted whitted{};
-    whitted.diffuse = parameters.spectrum("diffuse", Spectrum(0.5f));
+    const TexturedSpectrum diffuse = read_textured(parameters, "diffuse", Spectrum(0.5f), scene);
+    const TexturedSpectrum specular = read_textured(parameters, "specular", Spectrum(0), scene);
+    whitted.diffuse = diffuse.value;
     whitted.ambient = parameters.spectrum("ambient", whitted.diffuse);
-    whitted.specular = parameters.spectrum("specular", Spectrum(0));
+    whitted.specular = specular.value;
     whitted.exponent = parameters.positive("exponent", 50.0f);
     // A secondary ray cannot have more energy than the ray that made it.
     whitted.reflection = parameters.fraction("reflection", Spectrum(0));
     whitted.transmission = parameters.fraction("transmission", Spectrum(0));
     whitted.fresnel = parameters.boolean("fresnel", false);
     Material material = make_material(whitted);
+    material.diffuse_texture = diffuse.texture, material.specular_texture = specular.texture;
     material.eta = parameters.positive("eta", 1.5f);
     material.priority = parameters.integer("priority", 0, 0, max_priority);
     material.emission = parameters.spectrum("emission", Spectrum(0));

@@ -18,7 +18,7 @@ const std::vector<SceneFormat> &scene_formats();
 Scene read_scene(const std::string &file, const std::vector<std::string> &assignments = {});
 
 class Parameters;
-/// The sections "film", "integrator" and the value "accelerator" of a document, over what `scene` has.
+/// The sections "film" and "integrator" and the values "accelerator" and "background" of a document, over what `scene` has.
 void read_settings(const Parameters &root, Scene &scene);
 
 }  // namespace brandung

@@ -31,7 +31,7 @@ template <class Thing> std::string new_name(const Parameters &parameters, const 
 void read_materials(const Parameters &root, Scene &scene) {
     for (const Parameters &parameters : root.children("materials")) {
         const std::string name = new_name(parameters, scene.materials);
-        scene.materials.push_back({name, kind_of(parameters, bsdf_kinds()).read(parameters)});
+        scene.materials.push_back({name, kind_of(parameters, bsdf_kinds()).read(parameters, scene)});
         parameters.expect_all_known();
     }
 }
@@ -114,7 +114,6 @@ Scene read_native(const std::string &file, const std::vector<std::string> &assig
     Scene scene;
     scene.file = file;
     read_settings(root, scene);
-    scene.background = root.spectrum("background", scene.background);
     scene.ambient = root.spectrum("ambient", scene.ambient);
     read_materials(root, scene);
     read_lights(root, scene);

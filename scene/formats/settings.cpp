@@ -8,6 +8,7 @@
 #include "scene/formats/format.h"
 #include "scene/formats/limits.h"
 #include "scene/parameters.h"
+#include "scene/textures/textured.h"
 
 namespace brandung {
 namespace {
@@ -61,6 +62,7 @@ void read_settings(const Parameters &root, Scene &scene) {
     read_integrator(root.child("integrator"), scene.integrator);
     std::vector<std::string> accelerators = {"auto"};
     for (const AcceleratorKind &kind : accelerator_kinds()) accelerators.emplace_back(kind.name);
+    read_background(root, scene);
     if (root.has("accelerator")) scene.accelerator = accelerators[root.choice("accelerator", accelerators)];
 }
 

@@ -81,7 +81,7 @@ public:
     }
 
     void write_shading(std::size_t, uint *words, SharedTables &) const override {
-        const FrustumShading shading = {record_.center, record_.axis, record_.radius, record_.slope};
+        const FrustumShading shading = {record_.center, record_.axis, record_.radius, record_.slope, record_.half_length};
         std::memcpy(words, &shading, sizeof shading);
     }
 

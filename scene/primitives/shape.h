@@ -24,6 +24,10 @@ struct PrimitiveKind {
 /// Tables of the arena that shapes append to while the scene is laid out.
 struct SharedTables {
     std::vector<VertexNormals> vertex_normals;
+    std::vector<VertexUvs> vertex_uvs;
+    std::vector<VertexColors> vertex_colors;
+    bool wants_uvs = false;    ///< whether the material of the shape at hand has a texture
+    std::size_t lack_uvs = 0;  ///< triangles that would have needed them
 };
 
 /// One or more primitives of one kind with one material.
@@ -59,7 +63,8 @@ std::unique_ptr<Shape> make_sphere(uint material, vec3 center, float radius);
 /// From base to apex, without caps; both radii negative: only the inside is visible.
 std::unique_ptr<Shape> make_frustum(uint material, vec3 base, float base_radius, vec3 apex, float apex_radius);
 
-/// Vertices shared by triangles; `normals` (unit length), `uvs` and `colors` (factors of the diffuse reflectance) are empty or as many as `positions`.
+/// Vertices shared by triangles; `normals` (unit length), `uvs` and `colors` (factors of the diffuse reflectance) are empty or as many as
+/// `positions`.
 struct MeshData {
     std::vector<vec3> positions, normals;
     std::vector<vec2> uvs;

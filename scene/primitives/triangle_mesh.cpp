@@ -47,9 +47,16 @@ public:
     }
 
     void write_shading(std::size_t i, uint *words, SharedTables &tables) const override {
-        // The flat view is the beginning of the smooth one.
-        static_assert(sizeof(TriangleShading) == offsetof(SmoothTriangleShading, normals));
-        SmoothTriangleShading shading = {position(i, 0), position(i, 1), position(i, 2), 0};
+        SmoothTriangleShading shading = {{position(i, 0), position(i, 1), position(i, 2), 0, 0}, 0};
+        if (tables.wants_uvs && mesh_.uvs.empty()) ++tables.lack_uvs;
+        if (tables.wants_uvs && !mesh_.uvs.empty()) {
+            tables.vertex_uvs.push_back({uv(i, 0), uv(i, 1), uv(i, 2)});
+            shading.flat.uvs = uint(tables.vertex_uvs.size());
+        }
+        if (!mesh_.colors.empty()) {
+            tables.vertex_colors.push_back({color(i, 0), color(i, 1), color(i, 2)});
+            shading.flat.colors = uint(tables.vertex_colors.size());
+        }
         if (!mesh_.normals.empty()) {
             shading.normals = uint(tables.vertex_normals.size());
             tables.vertex_normals.push_back({normal(i, 0), normal(i, 1), normal(i, 2)});
@@ -60,6 +67,8 @@ public:
 private:
     const vec3 &position(std::size_t i, uint k) const { return mesh_.positions[mesh_.indices[3 * i + k]]; }
     const vec3 &normal(std::size_t i, uint k) const { return mesh_.normals[mesh_.indices[3 * i + k]]; }
+    const vec2 &uv(std::size_t i, uint k) const { return mesh_.uvs[mesh_.indices[3 * i + k]]; }
+    const Spectrum &color(std::size_t i, uint k) const { return mesh_.colors[mesh_.indices[3 * i + k]]; }
 
     MeshData mesh_;
 };
@@ -79,6 +88,8 @@ void drop_flat_triangles(MeshData &mesh) {
 std::unique_ptr<Shape> make_triangle_mesh(uint material, MeshData mesh) {
     assert(mesh.indices.size() % 3 == 0);
     assert(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size());
+    assert(mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size());
+    assert(mesh.colors.empty() || mesh.colors.size() == mesh.positions.size());
     drop_flat_triangles(mesh);
     if (mesh.indices.empty()) return nullptr;
     return std::make_unique<TriangleMesh>(material, std::move(mesh));
@@ -108,10 +119,15 @@ void read_triangle_mesh(const Parameters &parameters, uint material, Scene &scen
     mesh.positions = parameters.vectors("positions");
     mesh.normals = read_normals(parameters, "normals", mesh.positions.size());
     mesh.uvs = parameters.pairs("uvs");
+    mesh.colors = parameters.vectors("colors");
     mesh.indices = parameters.integers("indices");
     if (mesh.positions.empty()) parameters.fail("positions", "must have vertices");
     if (!mesh.uvs.empty() && mesh.uvs.size() != mesh.positions.size())
         parameters.fail("uvs", fmt::format("must be one pair per vertex, got {} for {} vertices", mesh.uvs.size(), mesh.positions.size()));
+    if (!mesh.colors.empty() && mesh.colors.size() != mesh.positions.size())
+        parameters.fail("colors", fmt::format("must be one per vertex, got {} for {} vertices", mesh.colors.size(), mesh.positions.size()));
+    for (std::size_t i = 0; i < mesh.colors.size(); ++i)
+        if (glm::any(glm::lessThan(mesh.colors[i], Spectrum(0)))) parameters.fail_element("colors", i, "must not be negative");
     if (mesh.indices.empty() || mesh.indices.size() % 3 != 0)
         parameters.fail("indices", fmt::format("must be three per triangle, got {}", mesh.indices.size()));
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/packing.hpp>
+#include <limits>
 
 #include "scene/error.h"
 #include "scene/scene.h"
@@ -21,6 +23,10 @@ uint repair_texels(Picture &picture) {
         repaired += texel != before;
     }
     return repaired;
+}
+
+uint flags_of(TextureWrap wrap) {
+    return wrap == TextureWrap::clamp ? TEXTURE_CLAMPS_U | TEXTURE_CLAMPS_V : wrap == TextureWrap::panorama ? TEXTURE_CLAMPS_V : 0;
 }
 
 }  // namespace
@@ -42,6 +48,23 @@ uint add_texture(Scene &scene, const std::string &file, const TextureOptions &op
         ++scene.warnings[fmt::format("texture left out: {}", error.what())];
         return 0;
     }
+}
+
+TexturePixels pixels_of(const std::vector<Texture> &textures, const std::vector<bool> &used) {
+    TexturePixels result;
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        const Picture &picture = textures[i].picture;
+        TextureRecord &record = result.records.emplace_back();
+        if (!used[i]) continue;
+        const std::size_t first = result.texels.size() / 3, end = first + picture.pixels.size();
+        if (end > std::numeric_limits<uint>::max())
+            throw SceneError(fmt::format("{}: with it textures have {} texels, too many", textures[i].file, end));
+        record = {static_cast<uint>(first), picture.width, picture.height, flags_of(textures[i].options.wrap)};
+        result.texels.reserve(3 * end);
+        for (const vec3 &texel : picture.pixels)
+            for (int c = 0; c < 3; ++c) result.texels.push_back(glm::packHalf1x16(texel[c]));
+    }
+    return result;
 }
 
 }  // namespace brandung

@@ -1,15 +1,21 @@
 /// Pictures that colour surfaces.
 #pragma once
 #include <string>
+#include <vector>
 
+#include "kernels/textures/texture.h"
 #include "scene/image.h"
 
 namespace brandung {
 
 struct Scene;
 
-/// What lies beyond a picture's edges: the picture again, or its edge.
-enum class TextureWrap : uint { repeat, clamp };
+/// What lies beyond a picture's edges.
+enum class TextureWrap : uint {
+    repeat,    ///< the picture again
+    clamp,     ///< its edge
+    panorama,  ///< the picture again to the left and right, its edge above and below
+};
 
 struct TextureOptions {
     TextureWrap wrap = TextureWrap::repeat;
@@ -30,5 +36,13 @@ inline constexpr float largest_texel = 65504;  ///< of a half float
 uint read_texture(Scene &scene, const std::string &file, const TextureOptions &options = {});
 /// The same, but 0, which stands for no texture, with a counted warning if the picture cannot be read.
 uint add_texture(Scene &scene, const std::string &file, const TextureOptions &options = {});
+
+/// Pictures as kernels read them.
+struct TexturePixels {
+    std::vector<TextureRecord> records;  ///< as Scene::textures
+    std::vector<std::uint16_t> texels;   ///< half floats, three per texel
+};
+/// Of the pictures in use; the others' records are empty. Throws SceneError if they have too many texels.
+TexturePixels pixels_of(const std::vector<Texture> &textures, const std::vector<bool> &used);
 
 }  // namespace brandung

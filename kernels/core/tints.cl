@@ -1,0 +1,9 @@
+// What look_up_textures has found out for item i.
+#pragma once
+#include "kernels/core/load.cl"
+
+FUNCTION Tints tints_at(const global Tints *tints, uint i) {
+    Tints result;
+    result.diffuse = load(&tints[i].diffuse), result.specular = load(&tints[i].specular);
+    return result;
+}

@@ -1,0 +1,38 @@
+// From hits to the colours that pictures and vertices give them. Only in scenes with textures, vertex colours or a picture as background.
+#include "kernels/core/load.cl"
+#include "kernels/core/math.cl"
+#include "kernels/primitives/primitive.cl"
+#include "kernels/textures/texture.cl"
+
+/// Where a panorama shows direction d: its middle lies along -z, its upper edge along y.
+FUNCTION vec2 panorama_place(vec3 d, float turn) {
+    vec2 uv;
+    uv.x = 0.5f + INVERSE_TWO_PI * arctangent(d.x, -d.z) + turn;
+    uv.y = 1.0f - 2.0f * INVERSE_TWO_PI * arctangent(sqrt(d.x * d.x + d.z * d.z), d.y);
+    return uv;
+}
+
+/// The colour of the picture of that number + 1; 0 is white.
+FUNCTION Spectrum color_of(Scene scene, const global ushort *texels, uint texture, vec2 uv) {
+    return texture == 0u ? make3(1.0f, 1.0f, 1.0f) : texture_color(texels, SCENE_ARRAY(scene, TextureRecord, textures)[texture - 1u], uv);
+}
+
+/// tints[i] belongs to ray live[first + i] and its hit.
+kernel void look_up_textures(SCENE_PARAMS, const global ushort *restrict texels, LIVE_PARAMS, const global Ray *restrict rays,
+                             const global Hit *restrict hits, const global SurfacePoint *restrict points, global Tints *restrict tints) {
+    const Scene scene = SCENE;
+    FOR_EACH_ITEM_SERIALLY(i, count) {
+        const Ray ray = rays[live[first + i]];
+        const Hit hit = hits[i];
+        Tints result = {{1.0f, 1.0f, 1.0f}, {1.0f, 1.0f, 1.0f}};
+        if (hit.primitive == NO_HIT) {
+            result.diffuse = color_of(scene, texels, scene.header->background_texture, panorama_place(ray.direction, scene.header->background_turn));
+        } else {
+            const Pattern pattern = primitive_pattern(scene, SCENE_ARRAY(scene, ShadingRecord, shading) + hit.primitive, ray, hit);
+            const global Material *material = SCENE_ARRAY(scene, Material, materials) + points[i].material;
+            result.diffuse = times(pattern.color, color_of(scene, texels, material->diffuse_texture, pattern.uv));
+            result.specular = color_of(scene, texels, material->specular_texture, pattern.uv);
+        }
+        tints[i] = result;
+    }
+}
