@@ -107,7 +107,8 @@ std::string explain(const json &features) {
 json memory(const Job &job) {
     return {{"scene_bytes", job.on_device.bytes()},
             {"texture_bytes", job.on_device.texture_bytes()},
-            {"wave_bytes", job.renderer.wave_bytes()}, {"film_bytes", job.film.bytes()}};
+            {"wave_bytes", job.renderer.wave_bytes()},
+            {"film_bytes", job.film.bytes()}};
 }
 
 json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &end) {
