@@ -2,6 +2,7 @@
 #pragma once
 #include "kernels/core/lanes_1.cl"
 #include "kernels/core/scene.h"
+#include "kernels/lights/attenuation.cl"
 #include "kernels/lights/light.h"
 #include "kernels/lights/point.h"
 
@@ -17,10 +18,9 @@ FUNCTION LightSample point_sample(Light l, vec3 p) {
     const PointLight light = point_view(l);
     const vec3 way = minus(light.position, p);
     const float distance = sqrt(dot3(way, way));
-    const float attenuation = fma(fma(light.attenuation.z, distance, light.attenuation.y), distance, light.attenuation.x);
     LightSample sample;
     sample.direction = scaled(way, 1.0f / distance);
     sample.distance = distance;
-    sample.irradiance = scaled(light.intensity, 1.0f / attenuation);
+    sample.irradiance = scaled(light.intensity, 1.0f / attenuation_at(light.attenuation, distance));
     return sample;
 }

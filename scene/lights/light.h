@@ -5,6 +5,7 @@
 #include "kernels/core/scene.h"
 #include "kernels/lights/directional.h"
 #include "kernels/lights/point.h"
+#include "kernels/lights/spot.h"
 
 namespace brandung {
 
@@ -21,5 +22,12 @@ const std::vector<LightKind> &light_kinds();
 Light make_light(const PointLight &light);
 /// `direction`, of unit length, leads to where the light comes from; `irradiance` [W/m²] is that of a surface across it.
 Light make_light(const DirectionalLight &light);
+/// As a point light; `direction` has unit length, and shape_cone has set the cone.
+Light make_light(const SpotLight &light);
+/// The cone has the full angle `angle` in (0, 2 pi] [radians]; over the outer part `penumbra` in [0, 1] of half of that the intensity falls to 0.
+void shape_cone(SpotLight &light, double angle, double penumbra);
+
+/// The parts of a light's attenuation.
+vec3 read_attenuation(const Parameters &parameters);
 
 }  // namespace brandung

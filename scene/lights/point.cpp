@@ -12,13 +12,18 @@ Light make_light(const PointLight &light) {
     return result;
 }
 
+vec3 read_attenuation(const Parameters &parameters) {
+    const vec3 attenuation = parameters.vector("attenuation", vec3(0, 0, 1));
+    if (glm::any(glm::lessThan(attenuation, vec3(0)))) parameters.fail("attenuation", "must not have negative parts");
+    if (attenuation == vec3(0)) parameters.fail("attenuation", "must not be all zero, the intensity is divided by it");
+    return attenuation;
+}
+
 Light read_point(const Parameters &parameters) {
     PointLight light{};
     light.position = parameters.vector("position");
     light.intensity = parameters.spectrum("intensity");
-    light.attenuation = parameters.vector("attenuation", vec3(0, 0, 1));
-    if (glm::any(glm::lessThan(light.attenuation, vec3(0)))) parameters.fail("attenuation", "must not have negative parts");
-    if (light.attenuation == vec3(0)) parameters.fail("attenuation", "must not be all zero, the intensity is divided by it");
+    light.attenuation = read_attenuation(parameters);
     return make_light(light);
 }
 

@@ -149,6 +149,32 @@ TEST_P(Attenuation, DividesByConstantLinearAndQuadraticTerm) {
 INSTANTIATE_TEST_SUITE_P(Furnace, Attenuation, testing::Values(vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(0.5f, 0.25f, 2)),
                          [](const auto &info) { return "Terms" + std::to_string(info.index); });
 
+/// From 3 above the floor, aimed straight down: full up to 10° around the axis, nothing from 20° on, and between them s² (3 - 2 s), s running with
+/// the cosine. Where there is no light, no shadow ray is sent.
+TEST(Furnace, SpotLightFallsFromItsConeToTheEdge) {
+    const vec3 position(0, 3, 0);
+    const Real edge = std::cos(oracle::pi / 9), full = std::cos(oracle::pi / 18);
+    Scene scene = lit_floor(spot_light(position, {0, 0, 0}, Spectrum(3, 5, 7), 40, 0.5));
+    scene.cameras[0].fov = glm::radians(60.0f);
+    std::size_t inside = 0, between = 0, outside = 0;
+    const Rendering rendering = render_scene(scene);
+    for (uint y = 0; y < scene.film.height; ++y)
+        for (uint x = 0; x < scene.film.width; ++x) {
+            const Vec way = Vec(position) - floor_point(scene, x, y);
+            const Real d = glm::length(way), cosine = way.y / d, s = std::clamp((cosine - edge) / (full - edge), Real(0), Real(1));
+            (s == 0 ? outside : s == 1 ? inside : between) += 1;
+            const Vec expected = Vec(0.5L, 0.25L, 0.125L) * Vec(3, 5, 7) * (s * s * (3 - 2 * s) * cosine / oracle::pi / (d * d));
+            // The cosine's error, 1e-7, is in s 1 / (full - edge) = 22 times as large.
+            for (int c = 0; c < 3; ++c)
+                ASSERT_NEAR(rendering.picture[y * scene.film.width + x][c], expected[c], s == 0 ? 0x1p-33L : 1e-6L + 6e-6L * expected[c])
+                    << "pixel " << x << ", " << y;
+        }
+    EXPECT_GT(inside, 15u);
+    EXPECT_GT(between, 50u);
+    EXPECT_GT(outside, 50u);
+    EXPECT_EQ(rendering.counts.rays[RAY_SHADOW], inside + between);
+}
+
 TEST(Furnace, DirectionalLightFallsByTheCosineAtAnyDistance) {
     const vec3 towards(1, 2, -2);
     const Scene scene = lit_floor(directional_light(towards, Spectrum(oracle::pi)));

@@ -30,6 +30,7 @@ Scene scene_of_everything(uint width, uint height, uint spp) {
     add_soup(scene, shiny_one, {.of_each = 33, .size = 0.4f, .seed = 3});
     scene.lights.push_back(point_light({2, 3, 2}, {9, 8, 7}));
     scene.lights.push_back(directional_light({-1, 1, 0.5f}, {0.5f, 0.6f, 0.9f}));
+    scene.lights.push_back(spot_light({-2, 2, 2}, {0, 0, 0}, {5, 9, 6}, 50, 0.5));
     return scene;
 }
 

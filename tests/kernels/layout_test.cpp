@@ -19,6 +19,7 @@
 #include "kernels/lights/directional.h"
 #include "kernels/lights/light.h"
 #include "kernels/lights/point.h"
+#include "kernels/lights/spot.h"
 #include "kernels/primitives/frustum.h"
 #include "kernels/primitives/smooth_triangle.h"
 #include "kernels/primitives/sphere.h"
@@ -89,6 +90,7 @@ const Layouts &host_layouts() {
         RECORD(Split, reflected, refracted),
         RECORD(PointLight, position, intensity, attenuation),
         RECORD(DirectionalLight, direction, irradiance),
+        RECORD(SpotLight, position, direction, intensity, attenuation, edge, steepness),
         RECORD(LightSample, direction, distance, irradiance),
         RECORD(Surface, p, error, geometric, normal),
         RECORD(Pattern, uv, color),

@@ -46,6 +46,7 @@ Scene everything() {
     Scene scene = spheres_only(glass(1.5f));
     add_soup(scene, 0, {.of_each = 1});
     scene.lights.push_back(directional_light({0, 0, 1}, Spectrum(1)));
+    scene.lights.push_back(spot_light({0, 0, 3}, {0, 0, 0}, Spectrum(1), 40, 0.2));
     scene.film.filter = kind_number(filter_kinds(), "gaussian");
     return scene;
 }
@@ -94,9 +95,10 @@ TEST(Absence, ASceneOfOneKindHasNoOtherPrimitivesCode) {
 }
 
 TEST(Absence, LightsOfOtherKindsAreNotThere) {
-    expect_absent(spheres_only(matte(0.5f)), {"directional"});
-    expect_absent(triangles_only(matte(0.5f)), {"point_sample", "attenuation"});
+    expect_absent(spheres_only(matte(0.5f)), {"directional", "spot_"});
+    expect_absent(triangles_only(matte(0.5f)), {"point_sample", "spot_", "attenuation"});
     expect_present(everything(), "kernels/integrators/whitted.cl", "directional_sample");
+    expect_present(everything(), "kernels/integrators/whitted.cl", "spot_sample");
 }
 
 TEST(Absence, WithoutTransparentMaterialsThereAreNoListsOfMedia) {

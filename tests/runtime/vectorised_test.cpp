@@ -42,7 +42,8 @@ std::string scene_of(const std::string &material, const std::string &filter = "b
            R"("}, "camera": {"from": [0, 1, 6], "at": [0, 0, 0], "fov": 40}, "ambient": 0.1,
         "materials": [{"name": "m", "type": "whitted", "diffuse": 0.5, "specular": 0.4, "exponent": 20)" +
            material + R"(}],
-        "lights": [{"type": "point", "position": [3, 5, 4], "intensity": 100}, {"type": "directional", "direction": [0, -1, -1], "irradiance": 1}],
+        "lights": [{"type": "point", "position": [3, 5, 4], "intensity": 100}, {"type": "directional", "direction": [0, -1, -1], "irradiance": 1},
+            {"type": "spot", "position": [-3, 5, 4], "at": [0, 0, 0], "intensity": 100, "angle": 40}],
         "objects": [{"type": "sphere", "material": "m", "center": [0, 0, 0], "radius": 1},
             {"type": "cylinder", "material": "m", "base": [-2, -1, 0], "apex": [-2, 1, 0], "radius": 0.5},
             {"type": "polygon", "material": "m", "vertices": [[-4, -1, 4], [4, -1, 4], [4, -1, -4], [-4, -1, -4]]},

@@ -32,6 +32,12 @@ Light directional_light(vec3 towards, Spectrum irradiance) {
     return make_light(DirectionalLight{vec3(glm::normalize(glm::dvec3(towards))), irradiance});
 }
 
+Light spot_light(vec3 position, vec3 at, Spectrum intensity, double angle, double penumbra) {
+    SpotLight light{position, vec3(glm::normalize(glm::dvec3(at) - glm::dvec3(position))), intensity, vec3(0, 0, 1), 0, 0};
+    shape_cone(light, glm::radians(angle), penumbra);
+    return make_light(light);
+}
+
 uint add_material(Scene &scene, const Material &material) {
     scene.materials.push_back({std::to_string(scene.materials.size()), material});
     return uint(scene.materials.size() - 1);

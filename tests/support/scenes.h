@@ -28,6 +28,8 @@ Material mirror(float reflection);
 Material glass(float eta);
 Light point_light(vec3 position, Spectrum intensity);
 Light directional_light(vec3 towards, Spectrum irradiance);
+/// `angle` is the cone's, from edge to edge [degrees].
+Light spot_light(vec3 position, vec3 at, Spectrum intensity, double angle, double penumbra);
 
 /// Adds a material and gives its index.
 uint add_material(Scene &scene, const Material &material);

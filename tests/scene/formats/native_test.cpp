@@ -132,6 +132,26 @@ TEST(Native, MakesLightRecords) {
     EXPECT_EQ(view_of<DirectionalLight>(scene.lights[1]).irradiance, Spectrum(1, 2, 3));
 }
 
+SpotLight spot_of(const std::string &keys) {
+    return view_of<SpotLight>(
+        read_text(changed("{\"type\": \"point\", \"position\": [1, 2, 3]", "{\"type\": \"spot\", \"position\": [1, 2, 3], " + keys)).lights[0]);
+}
+
+/// 1 - cos 30° and 1 - cos 24° by default; 1 - cos 90° = 1 and, all of it being penumbra, 1 - cos 0 = 0.
+TEST(Native, MakesSpotLightRecords) {
+    const SpotLight plain = spot_of(R"("at": [1, 0, 3])");
+    EXPECT_EQ(plain.direction, vec3(0, -1, 0));
+    EXPECT_EQ(plain.intensity, Spectrum(10));
+    EXPECT_EQ(plain.attenuation, vec3(0, 0, 1));
+    EXPECT_FLOAT_EQ(plain.edge, 0.13397460f);
+    EXPECT_FLOAT_EQ(plain.steepness, 1 / (0.13397460f - 0.086454542f));
+    const SpotLight wide = spot_of(R"("direction": [0, 0, -5], "angle": 180, "penumbra": 1, "attenuation": [1, 2, 3])");
+    EXPECT_EQ(wide.direction, vec3(0, 0, -1));
+    EXPECT_EQ(wide.attenuation, vec3(1, 2, 3));
+    EXPECT_FLOAT_EQ(wide.edge, 1);
+    EXPECT_FLOAT_EQ(wide.steepness, 1);
+}
+
 TEST(Native, SetsValuesBeforeTheyAreInterpreted) {
     const Scene scene = read_text(small_scene, {"film.spp=64", "integrator.threshold=0", "lights.0.intensity=[1,2,3]", "camera.fov=30"});
     EXPECT_EQ(scene.film.spp, 64u);
@@ -214,6 +234,19 @@ TEST(Native, RefusesBadLights) {
     EXPECT_EQ(error_of(changed("\"intensity\": 10", "\"intensity\": 1, \"attenuation\": [0, -1, 1]")),
               ":12: /lights/0/attenuation: must not have negative parts");
     EXPECT_EQ(error_of(changed("[0, -2, 0]", "[0, 0, 0]")), ":13: /lights/1/direction: must not be zero");
+}
+
+TEST(Native, RefusesBadSpotLights) {
+    const auto spot_error = [](const std::string &keys) {
+        return error_of(changed("\"type\": \"point\", \"position\": [1, 2, 3]", "\"type\": \"spot\", \"position\": [1, 2, 3]" + keys));
+    };
+    EXPECT_EQ(spot_error(""), ":12: /lights/0: needs either \"direction\" or \"at\"");
+    EXPECT_EQ(spot_error(R"(, "at": [0, 0, 0], "direction": [0, 0, 1])"), ":12: /lights/0/at: needs either \"direction\" or \"at\"");
+    EXPECT_EQ(spot_error(R"(, "at": [1, 2, 3])"), ":12: /lights/0/at: must differ from \"position\"");
+    EXPECT_EQ(spot_error(R"(, "direction": [0, 0, 0])"), ":12: /lights/0/direction: must not be zero");
+    EXPECT_EQ(spot_error(R"(, "at": [0, 0, 0], "angle": 361)"), ":12: /lights/0/angle: must be at most 360 degrees, got 361");
+    EXPECT_EQ(spot_error(R"(, "at": [0, 0, 0], "angle": 0)"), ":12: /lights/0/angle: must be positive, got 0");
+    EXPECT_EQ(spot_error(R"(, "at": [0, 0, 0], "penumbra": 1.1)"), ":12: /lights/0/penumbra: must be at most 1, got 1.1");
 }
 
 TEST(Native, RefusesBadObjects) {

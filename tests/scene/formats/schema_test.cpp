@@ -29,6 +29,7 @@ protected:
         nlohmann::json result = nlohmann::json::object();
         for (const auto &[key, property] : schema.at("definitions").at(definition).at("properties").items())
             if (property.contains("default")) result[key] = property["default"];
+        if (result.contains("penumbra") || definition == "point") result["attenuation"] = schema.at("definitions").at("attenuation").at("default");
         return result;
     }
 };
@@ -57,10 +58,13 @@ TEST_F(Schema, NamesTheKindsThatTheReaderKnows) {
 TEST_F(Schema, ItsDefaultsAreTheReaders) {
     nlohmann::json bare = {{"camera", {{"from", {0, 0, 5}}, {"at", {0, 0, 0}}}},
                            {"materials", {{{"name", "m"}, {"type", "whitted"}}}},
-                           {"lights", {{{"type", "point"}, {"position", {0, 0, 0}}, {"intensity", 1}}}}};
+                           {"lights",
+                            {{{"type", "point"}, {"position", {0, 0, 0}}, {"intensity", 1}},
+                             {{"type", "spot"}, {"position", {0, 0, 0}}, {"intensity", 1}, {"at", {0, 0, 1}}}}}};
     nlohmann::json full = bare;
     full["film"] = defaults_of("film"), full["integrator"] = defaults_of("integrator");
-    full["camera"].update(defaults_of("camera")), full["materials"][0].update(defaults_of("whitted")), full["lights"][0].update(defaults_of("point"));
+    full["camera"].update(defaults_of("camera")), full["materials"][0].update(defaults_of("whitted")), full["lights"][0].update(defaults_of("point")),
+        full["lights"][1].update(defaults_of("spot"));
     const Scene a = read_text(bare.dump()), b = read_text(full.dump());
     EXPECT_TRUE(a.film == b.film);
     EXPECT_EQ(a.integrator.type, b.integrator.type);
@@ -69,7 +73,7 @@ TEST_F(Schema, ItsDefaultsAreTheReaders) {
     EXPECT_EQ(a.cameras[0].up, b.cameras[0].up);
     EXPECT_EQ(a.cameras[0].fov, b.cameras[0].fov);
     EXPECT_EQ(bytes_of(a.materials[0].record), bytes_of(b.materials[0].record));
-    EXPECT_EQ(bytes_of(a.lights[0]), bytes_of(b.lights[0]));
+    for (const std::size_t i : {0, 1}) EXPECT_EQ(bytes_of(a.lights[i]), bytes_of(b.lights[i]));
 }
 
 }  // namespace

@@ -2,4 +2,5 @@
 #pragma once
 #include "kernels/lights/directional.cl"
 #include "kernels/lights/point.cl"
-#define FOR_EACH_LIGHT(X) X(0, PointLight, point) X(1, DirectionalLight, directional)
+#include "kernels/lights/spot.cl"
+#define FOR_EACH_LIGHT(X) X(0, PointLight, point) X(1, DirectionalLight, directional) X(2, SpotLight, spot)
