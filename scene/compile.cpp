@@ -10,6 +10,8 @@
 #include "kernels/core/items.h"
 #include "scene/accelerators/accelerator.h"
 #include "scene/error.h"
+#include "scene/lights/enclosed_lights.h"
+#include "scene/lights/light_rows.h"
 
 namespace brandung {
 namespace {
@@ -185,9 +187,21 @@ void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     count_media(scene, used, compiled);
     add_textures(scene, used_materials, compiled, arena);
     compiled.bsdfs = kinds_of(used_materials);
-    compiled.lights = kinds_of(scene.lights);
     compiled.header.materials = arena.add(materials);
-    compiled.header.lights = arena.add(scene.lights);
+}
+
+void add_lights(const Scene &scene, CompiledScene &compiled, Arena &arena) {
+    compiled.filters_shadows = scene.integrator.filtered_shadows && compiled.transmits;
+    if (const uint enclosed = compiled.filters_shadows ? 0 : count_enclosed_lights(scene))
+        compiled.warnings
+            ["light inside a transparent object: shadows are opaque, so that it lights nothing outside; --shadows filtered lets it through"] +=
+            enclosed;
+    const LightRows lights = make_light_rows(scene);
+    compiled.lights = kinds_of(lights.rows);
+    compiled.light_counts = lights.counts;
+    compiled.dark_emitters = lights.dark;
+    compiled.header.emissive_faces = arena.add(lights.faces);
+    compiled.header.lights = arena.add(lights.rows);
 }
 
 }  // namespace
@@ -198,6 +212,7 @@ CompiledScene compile(const Scene &scene) {
     Arena arena(compiled.arena);
     add_primitives(scene, compiled, arena);
     add_materials(scene, compiled, arena);
+    add_lights(scene, compiled, arena);
     compiled.filter = scene.film.filter;
     compiled.header.background = scene.background;
     compiled.header.ambient = scene.ambient;

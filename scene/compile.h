@@ -23,13 +23,16 @@ struct CompiledScene {
     uint filter = 0;                                ///< in use: its place in filter_kinds()
     std::string accelerator;
     bool reflects = false, transmits = false;  ///< whether any material spawns such rays
+    bool filters_shadows = false;              ///< whether transparent objects let light through, and there are some
     bool highlights = false;                   ///< whether any material has one
     bool shading_normals = false;              ///< whether any primitive has normals of its own for shading
     bool tints = false;                        ///< whether pictures or vertices give any hit or miss a colour
     uint interior_size = 0;                    ///< entries of a ray's list of media: at least the number of `media` up to max_interior_size
     uint media = 0;                            ///< transparent materials of things, and those that an eye is in, if there are things to refract
     std::size_t primitive_count = 0;
-    std::vector<std::size_t> counts;  ///< of primitives, by kind in use
+    std::vector<std::size_t> counts;           ///< of primitives, by kind in use
+    uint dark_emitters = 0;                    ///< emissive shapes that would be lights, but for integrator.light_samples
+    std::map<std::string, uint> light_counts;  ///< of lights and emissive shapes, by kind
     double accelerator_seconds = 0;
     std::map<std::string, uint> warnings;  ///< the scene's and those found here: text -> how often
 };

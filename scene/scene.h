@@ -33,9 +33,11 @@ struct FilmSettings {
 
 struct IntegratorSettings {
     std::string type = "whitted";
-    std::string type_place;  ///< `file:line: pointer` of what says the type, for errors; empty for the default
-    uint max_depth = 5;      ///< rays in a chain, the eye ray being 1
-    float threshold = 0;     ///< rays of smaller weight are not spawned
+    std::string type_place;         ///< `file:line: pointer` of what says the type, for errors; empty for the default
+    uint max_depth = 5;             ///< rays in a chain, the eye ray being 1
+    float threshold = 0;            ///< rays of smaller weight are not spawned
+    uint light_samples = 1;         ///< of an emissive surface, the square root of how many of its points light another; 0: it lights nothing
+    bool filtered_shadows = false;  ///< transparent objects let light through, straight on
 };
 
 struct NamedMaterial {

@@ -68,7 +68,7 @@ std::uint64_t scene_hash(const Scene &scene, const CompiledScene &compiled) {
     hash.add(records(header.textures, sizeof(TextureRecord)));
     hash.add(std::as_bytes(std::span(compiled.texels)));
     hash.add(records(header.materials, sizeof(Material)));
-    hash.add(records(header.lights, sizeof(Light)));
+    hash.add(std::as_bytes(std::span(scene.lights)));  // strata of emissive shapes are the integrator's choice
     for (const auto &shape : scene.shapes) add_lanes(*shape, hash);
     hash.add_value(header.background);
     hash.add_value(header.background_texture);

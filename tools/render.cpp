@@ -100,6 +100,8 @@ std::map<std::string, std::string> metadata(const Job &job, const PhaseSeconds &
                                                    {"brandung:integrator", job.scene.integrator.type},
                                                    {"brandung:max_depth", std::to_string(job.scene.integrator.max_depth)},
                                                    {"brandung:threshold", fmt::format("{}", job.scene.integrator.threshold)},
+                                                   {"brandung:light_samples", std::to_string(job.scene.integrator.light_samples)},
+                                                   {"brandung:shadows", job.scene.integrator.filtered_shadows ? "filtered" : "opaque"},
                                                    {"brandung:spp", std::to_string(job.scene.film.spp)},
                                                    {"brandung:seed", std::to_string(job.scene.film.seed)},
                                                    {"brandung:filter", filter_kinds()[job.scene.film.filter].name},

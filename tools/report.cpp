@@ -23,6 +23,7 @@ std::vector<std::string> features_in_use(const Scene &scene, const CompiledScene
     used.push_back("integrator " + scene.integrator.type);
     if (compiled.reflects) used.push_back("reflected rays");
     if (compiled.transmits) used.push_back(fmt::format("refracted rays, lists of {} media", compiled.interior_size));
+    if (compiled.filters_shadows) used.push_back("filtered shadows");
     return used;
 }
 
@@ -79,9 +80,13 @@ json phases(const PhaseSeconds &seconds) {
 json scene_contents(const Scene &scene, const CompiledScene &compiled) {
     json contents = {{"primitives", compiled.primitive_count},
                      {"triangles", 0},
-                     {"lights", scene.lights.size()},
+                     {"lights", 0},
                      {"materials", scene.materials.size()},
                      {"cameras", scene.cameras.size()}};
+    for (const auto &[name, count] : compiled.light_counts) {
+        contents["light_kinds"][name] = count;
+        contents["lights"] = contents["lights"].get<uint>() + count;
+    }
     for (std::size_t kind = 0; kind < compiled.primitives.size(); ++kind) {
         const std::string name = compiled.primitives[kind]->name;
         contents["kinds"][name] = compiled.counts[kind];
@@ -93,7 +98,9 @@ json scene_contents(const Scene &scene, const CompiledScene &compiled) {
 json features(const Job &job) {
     json skipped = json::array();
     for (const Skipped &one : all_skipped(job)) skipped.push_back({{"name", one.name}, {"why", one.why}});
-    return {{"used", features_in_use(job.scene, job.compiled)}, {"skipped", skipped}};
+    json not_shown = json::array();
+    for (const NotShown &one : job.renderer.integrator().not_shown()) not_shown.push_back({{"name", one.name}, {"why", one.why}});
+    return {{"used", features_in_use(job.scene, job.compiled)}, {"skipped", skipped}, {"not_shown", not_shown}};
 }
 
 std::string explain(const json &features) {
@@ -101,6 +108,8 @@ std::string explain(const json &features) {
     for (const json &used : features["used"]) text += fmt::format("uses    {}\n", used.get<std::string>());
     for (const json &skipped : features["skipped"])
         text += fmt::format("skips   {}: {}\n", skipped["name"].get<std::string>(), skipped["why"].get<std::string>());
+    for (const json &hidden : features["not_shown"])
+        text += fmt::format("cannot show {}: {}\n", hidden["name"].get<std::string>(), hidden["why"].get<std::string>());
     return text;
 }
 

@@ -6,9 +6,11 @@
 
 namespace brandung {
 
-/// {"primitives": 12, "triangles": 8, "lights": 1, "materials": 2, "cameras": 1, "kinds": {"sphere": 4, "triangle": 8}}: what is in the scene.
+/// {"primitives": 12, "triangles": 8, "lights": 1, "materials": 2, "cameras": 1, "kinds": {"sphere": 4, "triangle": 8},
+/// "light_kinds": {"point": 1}}: what is in the scene.
 nlohmann::json scene_contents(const Scene &scene, const CompiledScene &compiled);
-/// {"used": [text, ...], "skipped": [{"name": text, "why": text}, ...]}: what the scene needs, what was skipped and why.
+/// {"used": [text, ...], "skipped": [{"name": text, "why": text}, ...], "not_shown": [the same]}: what the scene needs, what was
+/// skipped and why, and what light the integrator leaves out.
 nlohmann::json features(const Job &job);
 /// The same, one thing a line.
 std::string explain(const nlohmann::json &features);

@@ -25,6 +25,8 @@ std::vector<std::string> assignments(const SceneOptions &options) {
     if (!options.pixel.empty()) add("film.pixel", options.pixel);
     if (!options.filter.empty()) add("film.filter", options.filter);
     if (options.max_depth) add("integrator.max_depth", std::to_string(*options.max_depth));
+    if (options.light_samples) add("integrator.light_samples", std::to_string(*options.light_samples));
+    if (!options.shadows.empty()) add("integrator.shadows", options.shadows);
     if (!options.integrator.empty()) add("integrator.type", options.integrator);
     if (!options.accelerator.empty()) add("accelerator", options.accelerator);
     return all;
@@ -43,6 +45,11 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
     command.add_option("--filter", options.filter, "how samples count in their pixel: box, tent, gaussian, mitchell or blackman_harris");
     command.add_option("--camera", options.camera, "name of the scene's camera to use (default: the first)");
     command.add_option("--max-depth", options.max_depth, "rays in a chain, the eye ray being 1")->check(CLI::Range(1u, max_depth));
+    command
+        .add_option("--light-samples", options.light_samples,
+                    "K: every emissive surface lights others from K x K of its points; 0: from none (default: the scene's)")
+        ->check(CLI::Range(0u, MAX_LIGHT_SAMPLES));
+    command.add_option("--shadows", options.shadows, "of transparent objects: opaque, or filtered, which lets light through (default: the scene's)");
     command
         .add_option("--set", options.settings,
                     "any setting of the scene file, as KEY=VALUE: the key with dots and numbers (integrator.threshold, objects.0.radius), the value "

@@ -10,9 +10,9 @@
 namespace brandung {
 
 struct SceneOptions {
-    std::string scene, integrator, accelerator, size, pixel, filter, camera, device;
+    std::string scene, integrator, accelerator, shadows, size, pixel, filter, camera, device;
     std::vector<std::string> settings;  ///< "KEY=VALUE"
-    std::optional<uint> spp, seed, max_depth;
+    std::optional<uint> spp, seed, max_depth, light_samples;
     uint batch = 32768, threads = 0;
 };
 

@@ -4,6 +4,7 @@
 #pragma once
 #include "kernels/core/lanes_1.cl"
 
+#define PI 3.141592654f
 #define INVERSE_TWO_PI 0.159154943f
 
 /// The least float above x (IEEE 754 nextUp): above -0 lies the least subnormal; infinity stays.
@@ -99,4 +100,20 @@ FUNCTION float power(float x, float y) {
     const TwoFloats l = logarithm_of_base_two(x);
     const float high = y * l.high, low = fma(y, l.high, -high) + y * l.low;
     return x == 1.0f || y == 0.0f ? 1.0f : two_to_the(high, low);
+}
+
+/// Cosine (x) and sine (y) of `turns` full turns, in [0, 1]: within 6e-8. Taylor's series up to an eighth of a turn, whose first omitted term is at
+/// most 2.5e-8, in the quarter next to it.
+FUNCTION vec2 turn(float turns) {
+    const float quarters = 4.0f * turns;
+    const int quarter = (int)(quarters + 0.5f);
+    const float x = (quarters - (float)quarter) * 1.570796327f, square = x * x;
+    const float s =
+        fma(x * square, fma(square, fma(square, fma(square, 2.755731922e-06f, -1.984126984e-04f), 8.333333333e-03f), -1.666666667e-01f), x);
+    const float c = fma(square, fma(square, fma(square, fma(square, 2.480158730e-05f, -1.388888889e-03f), 4.166666667e-02f), -0.5f), 1.0f);
+    const bool odd = (quarter & 1) != 0, negative = (quarter & 2) != 0;
+    const float cosine = odd ? -s : c, sine = odd ? c : s;
+    vec2 result;
+    result.x = negative ? -cosine : cosine, result.y = negative ? -sine : sine;
+    return result;
 }

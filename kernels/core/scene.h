@@ -32,7 +32,7 @@ typedef struct {
     uint words[23];
 } Material;
 
-/// A light; 64 bytes. `words` is the kind's own.
+/// A light, or a stratum of an emissive shape; 64 bytes. `words` is the kind's own.
 typedef struct {
     uint kind;
     uint words[15];
@@ -50,6 +50,7 @@ typedef struct {
     Span shading;                    ///< ShadingRecord per primitive, in scene order
     Span vertex_normals;             ///< VertexNormals of smooth triangles
     Span vertex_uvs, vertex_colors;  ///< VertexUvs, VertexColors of triangles that have some
+    Span emissive_faces;             ///< EmissiveFace of meshes that shine
     Span materials, lights;
     Span textures;  ///< TextureRecord
     Spectrum background, ambient;

@@ -1,6 +1,7 @@
 // Whitted's integrator (CACM 23(6) 1980): what happens at a hit. The loop over these kernels is runtime/integrators/whitted.cpp.
 #include "generated/constants.h"
 #include "generated/interior.cl"
+#include "generated/shadow_filter.cl"
 #include "generated/tints.cl"
 #include "kernels/bsdfs/bsdf.cl"
 #include "kernels/core/load.cl"
@@ -80,16 +81,18 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
 
 /// Work-items (chunk, row): the shadow ray from hit i to light first_light + row, at row * stride + i; alive where the light faces the surface.
 /// Where it faces the shading normal only, the ray goes through the surface itself, and meets it.
-kernel void spawn_shadow_rays(SCENE_PARAMS, uint first_light, uint stride, uint count, const global SurfacePoint *restrict points,
-                              const global SurfaceInterface *restrict interfaces, global Ray *restrict shadow_rays, global uchar *restrict alive) {
+kernel void spawn_shadow_rays(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint stride, const global Path *restrict paths,
+                              const global SurfacePoint *restrict points, const global SurfaceInterface *restrict interfaces,
+                              global Ray *restrict shadow_rays, global uchar *restrict alive) {
     const Scene scene = SCENE;
+    const global uint *list = live + first;
     const uint row = get_global_id(1);
     const Light light = SCENE_ARRAY(scene, Light, lights)[first_light + row];
     global Ray *row_rays = shadow_rays + row * stride;
     global uchar *row_alive = alive + row * stride;
     FOR_EACH_ITEM(i, count) {
         const SurfacePoint surface = load(points + i);
-        const LightSample sample = light_sample(light, surface.origin);
+        const LightSample sample = light_sample(scene, light, surface.origin, paths[list[i]].branch);
         const bool faces = dot3(surface.normal, sample.direction) > 0.0f;
         const bool leaves = !SHADING_NORMALS || dot3(load(interfaces + i).geometric, sample.direction) > 0.0f;
         const bool lit = (surface.flags & SURFACE_LIT) != 0u;
@@ -103,13 +106,15 @@ typedef struct {
     float diffuse[3][ITEMS_PER_WORK_ITEM], specular[3][ITEMS_PER_WORK_ITEM], exponent[ITEMS_PER_WORK_ITEM], sum[3][ITEMS_PER_WORK_ITEM];
 } ShadeColumns;
 
-/// contributions[i]: what hit i adds to its sample by the `lights` lights of this block whose visible[row * stride + i] is set; the first
+/// contributions[i]: what hit i adds to its sample by the `lights` lights of this block whose visible[row * stride + i] is set, as
+/// far as filters[row * stride + i] lets it through where shadows are filtered; the first
 /// block also brings what needs no light: background, emission, ambient light.
 kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint lights, uint stride, const global Path *restrict paths,
                           const global SurfacePoint *restrict points, const global vec3 *restrict directions, const global Tints *restrict tints,
-                          const global uchar *restrict visible, global Spectrum *restrict contributions) {
+                          const global uchar *restrict visible, const global Spectrum *restrict filters, global Spectrum *restrict contributions) {
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
+    const global uint *list = live + first;
     const Spectrum background = scene.header->background, ambient = scene.header->ambient, black = make3(0.0f, 0.0f, 0.0f);
     const uint begin = get_global_id(0) * ITEMS_PER_WORK_ITEM;
     ShadeColumns columns;
@@ -140,14 +145,14 @@ kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint ligh
             phong.specular = make3(columns.specular[0][c], columns.specular[1][c], columns.specular[2][c]);
             phong.exponent = columns.exponent[c];
             const SurfacePoint surface = load(points + i);
-            const LightSample sample = light_sample(light, surface.origin);
-            const Spectrum value = times(phong_local(phong, surface.normal, load(directions + i), sample.direction), sample.irradiance);
+            const LightSample sample = light_sample(scene, light, surface.origin, paths[list[i]].branch);
+            const Spectrum irradiance = filtered(sample.irradiance, filters, row * stride + i);
+            const Spectrum value = times(phong_local(phong, surface.normal, load(directions + i), sample.direction), irradiance);
             const bool lit = (row_visible[i] != 0) & ((surface.flags & SURFACE_LIT) != 0u);  // reads the whole record: see SurfacePoint
             columns.sum[0][c] += lit ? value.x : 0.0f, columns.sum[1][c] += lit ? value.y : 0.0f, columns.sum[2][c] += lit ? value.z : 0.0f;
         }
     }
     {
-        const global uint *list = live + first;
         FOR_EACH_ITEM(i, count) {
             const uint c = i - begin;
             const Spectrum sum = make3(columns.sum[0][c], columns.sum[1][c], columns.sum[2][c]);

@@ -1,11 +1,11 @@
 // Directional light.
 #pragma once
 #include "kernels/core/lanes_1.cl"
-#include "kernels/core/scene.h"
+#include "kernels/core/scene.cl"
 #include "kernels/lights/directional.h"
 #include "kernels/lights/light.h"
 
-FUNCTION LightSample directional_sample(Light l, vec3 p) {
+FUNCTION LightSample directional_sample(Scene scene, Light l, vec3 p, uint branch) {
     LightSample sample;
     sample.direction = make3(as_float(l.words[0]), as_float(l.words[1]), as_float(l.words[2]));
     sample.distance = INFINITY;

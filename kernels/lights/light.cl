@@ -11,11 +11,11 @@ FUNCTION LightSample where(int c, LightSample a, LightSample b) {
     return r;
 }
 
-/// Light from `light` at p.
-FUNCTION LightSample light_sample(Light light, vec3 p) {
+/// Light from `light` at p, for the ray with this branch, by which points of emissive shapes are chosen.
+FUNCTION LightSample light_sample(Scene scene, Light light, vec3 p, uint branch) {
     LightSample sample = {{0.0f, 0.0f, 0.0f}, 0.0f, {0.0f, 0.0f, 0.0f}};
 #define CASE(KIND, View, name) \
-    ONLY_IF(light.kind == KIND) sample = where(light.kind == KIND, name##_sample(light, p), sample);
+    ONLY_IF(light.kind == KIND) sample = where(light.kind == KIND, name##_sample(scene, light, p, branch), sample);
     FOR_EACH_LIGHT(CASE)
 #undef CASE
     return sample;

@@ -1,7 +1,7 @@
 // Point light.
 #pragma once
 #include "kernels/core/lanes_1.cl"
-#include "kernels/core/scene.h"
+#include "kernels/core/scene.cl"
 #include "kernels/lights/attenuation.cl"
 #include "kernels/lights/light.h"
 #include "kernels/lights/point.h"
@@ -14,7 +14,7 @@ FUNCTION PointLight point_view(Light l) {
     return light;
 }
 
-FUNCTION LightSample point_sample(Light l, vec3 p) {
+FUNCTION LightSample point_sample(Scene scene, Light l, vec3 p, uint branch) {
     const PointLight light = point_view(l);
     const vec3 way = minus(light.position, p);
     const float distance = sqrt(dot3(way, way));

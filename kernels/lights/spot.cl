@@ -1,7 +1,7 @@
 // Spot light.
 #pragma once
 #include "kernels/core/lanes_1.cl"
-#include "kernels/core/scene.h"
+#include "kernels/core/scene.cl"
 #include "kernels/lights/attenuation.cl"
 #include "kernels/lights/light.h"
 #include "kernels/lights/spot.h"
@@ -24,7 +24,7 @@ FUNCTION float spot_falloff(SpotLight light, vec3 direction) {
     return s * s * (3.0f - 2.0f * s);
 }
 
-FUNCTION LightSample spot_sample(Light l, vec3 p) {
+FUNCTION LightSample spot_sample(Scene scene, Light l, vec3 p, uint branch) {
     const SpotLight light = spot_view(l);
     const vec3 way = minus(light.position, p);
     const float distance = sqrt(dot3(way, way));

@@ -16,6 +16,11 @@ struct Skipped {
     std::string name, why;
 };
 
+/// Light that an integrator leaves out of its pictures.
+struct NotShown {
+    std::string name, why;
+};
+
 class Integrator {
 public:
     virtual ~Integrator() = default;
@@ -29,6 +34,8 @@ public:
     /// Bytes that its waves take at most, whatever the picture's size and samples.
     virtual std::size_t wave_bytes() const = 0;
     virtual std::vector<Skipped> skipped() const = 0;
+    /// What it cannot show, as it is set, that this scene may have.
+    virtual std::vector<NotShown> not_shown() const = 0;
 };
 
 struct IntegratorJob {

@@ -52,7 +52,7 @@ struct Pictures {
     Buffer<Tints> tints;
 };
 
-/// Shadow rays of a block of lights: row r, of `stride` slots, goes to the block's r-th light. Only where there are lights.
+/// Shadow rays of a block of light records: row r, of `stride` slots, goes to the block's r-th. Only where there are lights.
 struct Shadows {
     Shadows(const IntegratorJob &job, uint rows)
         : stride(job.batch + 16),  // strides that are powers of two fall into the same cache sets
@@ -74,6 +74,14 @@ struct Shadows {
     Buffer<std::uint8_t> visible;
     Buffer<uint> live;
     std::size_t bytes() const { return compact.bytes() + rays.bytes() + visible.bytes() + live.bytes(); }
+};
+
+/// What transparent objects let through of the light: only on request, and only where a material transmits.
+struct ShadowFilter {
+    ShadowFilter(const IntegratorJob &job, std::size_t slots)
+        : filter(job.device, "kernels/stages/filter_shadow_rays.cl", "filter_shadow_rays", job.on_device.lists()), filters(job.device, slots) {}
+    Kernel filter;
+    Buffer<Spectrum> filters;  ///< per shadow ray
 };
 
 class WhittedIntegrator : public Integrator {
@@ -99,6 +107,7 @@ public:
           no_words_(job.device, 1),
           no_floats_(job.device, 1),
           no_tints_(job.device, 1),
+          no_spectra_(job.device, 1),
           counter_(job.device, generate_.work_items(job.batch) * std::clamp(light_count_, 1u, lights_per_block)) {
         if (job.device.info().cpu) intersect_packets_.emplace(job.device, "kernels/stages/intersect_packets.cl", "intersect_packets", scene_.lists());
         if (branching_ > 0 || !intersect_packets_) intersect_.emplace(job.device, "kernels/stages/intersect.cl", "intersect", scene_.lists());
@@ -106,6 +115,8 @@ public:
         if (job.compiled.transmits) media_.emplace(job);
         if (job.compiled.tints) pictures_.emplace(job);
         if (light_count_ > 0) shadows_.emplace(job, std::min(light_count_, lights_per_block));
+        if (shadows_ && job.compiled.filters_shadows) shadow_filter_.emplace(job, shadows_->rays.size());
+        note_limits(job);
         refused_.fill_zero();
     }
 
@@ -129,18 +140,34 @@ public:
     std::size_t wave_bytes() const override {
         return levels_.bytes_at_most() + hits_.bytes() + points_.bytes() + interfaces_.bytes() + directions_.bytes() + contributions_.bytes() +
                counter_.bytes() + (media_ ? media_->bytes() : 0) + (pictures_ ? pictures_->tints.bytes() : 0) +
-               (secondary_ ? secondary_->bytes() : 0) + (shadows_ ? shadows_->bytes() : 0);
+               (secondary_ ? secondary_->bytes() : 0) + (shadows_ ? shadows_->bytes() : 0) + (shadow_filter_ ? shadow_filter_->filters.bytes() : 0);
     }
     std::vector<Skipped> skipped() const override {
         std::vector<Skipped> skipped;
         if (!secondary_) skipped.push_back({"spawn_whitted", "no material reflects or transmits"});
         if (!media_) skipped.push_back({"find_interfaces", "no material transmits: refracted rays and lists of media are not stored"});
         if (!pictures_) skipped.push_back({"look_up_textures", "there are no pictures on surfaces or as background, and no vertex colours"});
-        if (!shadows_) skipped.push_back({"trace_shadow_rays", "there are no lights"});
+        if (!shadows_) skipped.push_back({"trace_shadow_rays", "there are no lights, nor emissive surfaces that light anything"});
+        if (!shadow_filter_) skipped.push_back({"filter_shadow_rays", no_filter_});
         return skipped;
     }
+    std::vector<NotShown> not_shown() const override { return not_shown_; }
 
 private:
+    /// What must be said of the scene and its settings, which are not kept.
+    void note_limits(const IntegratorJob &job) {
+        const bool requested = job.scene.integrator.filtered_shadows;
+        no_filter_ = requested ? "no material transmits, or nothing is lit" : "shadows are opaque; --shadows filtered asks for others";
+        not_shown_.push_back({"indirect light",
+                              "whitted follows mirrored and refracted rays from the eye; what surfaces reflect diffusely onto each "
+                              "other is not computed, ambient light stands for it"});
+        if (job.compiled.transmits)
+            not_shown_.push_back({"caustics", "light is not bent or gathered by mirrors and transparent objects on its way to a surface"});
+        if (job.compiled.transmits && !requested)
+            not_shown_.push_back({"light through transparent objects", "shadows are opaque; --shadows filtered lets it through, straight on"});
+        if (job.compiled.dark_emitters > 0) not_shown_.push_back({"light of emissive surfaces", "they are seen, but integrator.light_samples is 0"});
+    }
+
     /// All rays of a batch begin in the media that the eye is in.
     static void start_interiors(Level &first, const Batch &batch) {
         if (std::all_of(batch.interior.begin(), batch.interior.end(), [](uint entry) { return entry == 0; })) return first.interiors.fill_zero();
@@ -174,19 +201,23 @@ private:
         if (rows > 0) trace_shadows(wave, light, rows);
         const Buffer<std::uint8_t> &visible = shadows_ ? shadows_->visible : no_bytes_;
         const Buffer<Tints> &tints = pictures_ ? pictures_->tints : no_tints_;
-        shade_(wave.count, scene_, wave, light, rows, stride, wave.level.paths, points_, directions_, tints, visible, contributions_);
+        shade_(wave.count, scene_, wave, light, rows, stride, wave.level.paths, points_, directions_, tints, visible,
+               shadow_filter_ ? shadow_filter_->filters : no_spectra_, contributions_);
         accumulate_(wave.count, wave, wave.level.paths, contributions_, samples, refused_);
     }
 
     void trace_shadows(const Wave &wave, uint light, uint rows) {
         Shadows &shadows = *shadows_;
         const uint count = wave.count;
-        shadows.spawn(Grid(count, rows), scene_, light, shadows.stride, count, points_, interfaces_, shadows.rays, shadows.visible);
+        shadows.spawn(Grid(count, rows), scene_, wave, light, shadows.stride, wave.level.paths, points_, interfaces_, shadows.rays, shadows.visible);
         shadows.compact(shadows.visible, shadows.stride, count, rows, 0, 0, shadows.live);
         // Shadow rays from the first reflections are scattered already: one by one they are faster.
         Kernel &trace = shadows.trace_packets && wave.generation == 0 ? *shadows.trace_packets : shadows.trace_singly;
         trace(Grid(count, rows), scene_, shadows.live, shadows.compact.counts(), shadows.stride, shadows.rays, shadows.visible, counter_.tallies());
         counter_.add(trace.work_items(count) * rows);
+        if (!shadow_filter_) return;
+        shadow_filter_->filter(Grid(count, rows), scene_, shadows.live, shadows.compact.counts(), shadows.stride, shadows.rays, shadows.visible,
+                               shadow_filter_->filters);
     }
 
     const DeviceScene &scene_;
@@ -206,11 +237,15 @@ private:
     Buffer<uint> no_words_;
     Buffer<float> no_floats_;
     Buffer<Tints> no_tints_;
+    Buffer<Spectrum> no_spectra_;
     RayCounter counter_;
     std::optional<Interfaces> media_;
     std::optional<Pictures> pictures_;
     std::optional<Secondary> secondary_;
     std::optional<Shadows> shadows_;
+    std::optional<ShadowFilter> shadow_filter_;
+    std::string no_filter_;  ///< why there is none
+    std::vector<NotShown> not_shown_;
 };
 
 }  // namespace

@@ -53,6 +53,7 @@ Sources specialize(const CompiledScene &scene) {
     sources["generated/filter.cl"] = include(fmt::format("filters/{}.cl", filter_kinds()[scene.filter].file));
     sources["generated/interior.cl"] = include(scene.transmits ? "core/interior.cl" : "core/no_interior.cl");
     sources["generated/tints.cl"] = include(scene.tints ? "core/tints.cl" : "core/no_tints.cl");
+    sources["generated/shadow_filter.cl"] = include(scene.filters_shadows ? "core/shadow_filter.cl" : "core/no_shadow_filter.cl");
     sources["generated/constants.h"] =
         fmt::format("#pragma once\n#define BRANCHING {}u\n#define INTERIOR_SIZE {}u\n#define HIGHLIGHTS {}\n#define SHADING_NORMALS {}\n",
                     branching(scene), scene.interior_size, scene.highlights ? 1 : 0, scene.shading_normals ? 1 : 0);

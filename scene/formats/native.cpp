@@ -38,7 +38,7 @@ void read_materials(const Parameters &root, Scene &scene) {
 
 void read_lights(const Parameters &root, Scene &scene) {
     for (const Parameters &parameters : root.children("lights")) {
-        scene.lights.push_back(kind_of(parameters, light_kinds()).read(parameters));
+        scene.lights.push_back(kind_of(parameters, lights_of_files()).read(parameters));
         parameters.expect_all_known();
     }
 }

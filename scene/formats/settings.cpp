@@ -50,6 +50,8 @@ void read_integrator(const Parameters &parameters, IntegratorSettings &integrato
     if (integrator.type != IntegratorSettings().type) integrator.type_place = parameters.place("type");
     integrator.max_depth = parameters.integer("max_depth", integrator.max_depth, 1, max_depth);
     integrator.threshold = parameters.not_negative("threshold", integrator.threshold);
+    integrator.light_samples = parameters.integer("light_samples", integrator.light_samples, 0, MAX_LIGHT_SAMPLES);
+    integrator.filtered_shadows = parameters.choice("shadows", {"opaque", "filtered"}, integrator.filtered_shadows ? 1 : 0) == 1;
     parameters.expect_all_known();
 }
 

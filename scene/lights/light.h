@@ -4,6 +4,7 @@
 
 #include "kernels/core/scene.h"
 #include "kernels/lights/directional.h"
+#include "kernels/lights/emission.h"
 #include "kernels/lights/point.h"
 #include "kernels/lights/spot.h"
 
@@ -13,17 +14,26 @@ class Parameters;
 
 /// `kernels/lights/<name>.cl` has its device functions; Light.kind is its place in light_kinds().
 struct LightKind {
-    const char *name;    ///< in scene files and as prefix of device functions
-    const char *record;  ///< its view of Light.words
-    Light (*read)(const Parameters &parameters);
+    const char *name;                             ///< in scene files and as prefix of device functions
+    const char *record;                           ///< its view of Light.words
+    bool has_position;                            ///< the view begins with it
+    Light (*read)(const Parameters &parameters);  ///< null: made of emissive shapes
 };
 const std::vector<LightKind> &light_kinds();
+/// Those that scene files name.
+const std::vector<LightKind> &lights_of_files();
 /// `intensity` [W/sr] is divided by attenuation.x + attenuation.y d + attenuation.z d² at the distance d, so these are not all zero.
 Light make_light(const PointLight &light);
 /// `direction`, of unit length, leads to where the light comes from; `irradiance` [W/m²] is that of a surface across it.
 Light make_light(const DirectionalLight &light);
 /// As a point light; `direction` has unit length, and shape_cone has set the cone.
 Light make_light(const SpotLight &light);
+/// Emissive shapes as a whole: their power or radiance is not yet divided among strata.
+Light make_light(const EmissiveMesh &light);
+Light make_light(const EmissiveSphere &light);
+Light make_light(const EmissiveFrustum &light);
+/// Appends the rows * rows strata of an emissive shape's light; their random numbers differ from those of all lights before.
+void append_strata(const Light &light, uint rows, std::vector<Light> &lights);
 /// The cone has the full angle `angle` in (0, 2 pi] [radians]; over the outer part `penumbra` in [0, 1] of half of that the intensity falls to 0.
 void shape_cone(SpotLight &light, double angle, double penumbra);
 

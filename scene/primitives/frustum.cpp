@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numbers>
 
+#include "scene/lights/light.h"
 #include "scene/parameters.h"
 #include "scene/primitives/add.h"
 #include "scene/primitives/kinds.h"
@@ -83,6 +85,13 @@ public:
     void write_shading(std::size_t, uint *words, SharedTables &) const override {
         const FrustumShading shading = {record_.center, record_.axis, record_.radius, record_.slope, record_.half_length};
         std::memcpy(words, &shading, sizeof shading);
+    }
+
+    Light light(Spectrum radiance, std::vector<EmissiveFace> &) const override {
+        const double half_length = record_.half_length, radius = record_.radius, rise = record_.slope * half_length;
+        const double area = 4 * std::numbers::pi * radius * std::hypot(half_length, rise);
+        return make_light(
+            EmissiveFrustum{{radiance * float(area), {}}, record_.center, record_.axis * record_.half_length, record_.radius, float(rise)});
     }
 
 private:

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernels/core/scene.h"
+#include "kernels/lights/emission.h"
 #include "kernels/primitives/smooth_triangle.h"
 #include "scene/bounds.h"
 
@@ -44,6 +45,9 @@ public:
     virtual void write_lane(std::size_t i, uint lane, std::byte *block) const = 0;
     /// Writes primitive i's view of ShadingRecord.words (at most 56 bytes).
     virtual void write_shading(std::size_t i, uint *words, SharedTables &tables) const = 0;
+
+    /// The shape as a light of this radiance, which both of its sides have; its faces, if it has some to choose from, are appended.
+    virtual Light light(Spectrum radiance, std::vector<EmissiveFace> &faces) const = 0;
 
     uint material;  ///< index into Scene::materials
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "scene/lights/light.h"
 #include "scene/parameters.h"
 #include "scene/primitives/add.h"
 #include "scene/primitives/kinds.h"
@@ -35,6 +36,10 @@ public:
     void write_shading(std::size_t, uint *words, SharedTables &) const override {
         const SphereShading shading = {center_, radius_};
         std::memcpy(words, &shading, sizeof shading);
+    }
+
+    Light light(Spectrum radiance, std::vector<EmissiveFace> &) const override {
+        return make_light(EmissiveSphere{{radiance, {}}, center_, std::abs(radius_)});
     }
 
 private:

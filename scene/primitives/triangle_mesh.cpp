@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "kernels/primitives/smooth_triangle.h"
+#include "scene/lights/emissive_faces.h"
+#include "scene/lights/light.h"
 #include "scene/parameters.h"
 #include "scene/primitives/add.h"
 #include "scene/primitives/kinds.h"
@@ -62,6 +64,13 @@ public:
             tables.vertex_normals.push_back({normal(i, 0), normal(i, 1), normal(i, 2)});
         }
         std::memcpy(words, &shading, mesh_.normals.empty() ? sizeof(TriangleShading) : sizeof(SmoothTriangleShading));
+    }
+
+    Light light(Spectrum radiance, std::vector<EmissiveFace> &faces) const override {
+        const EmissiveFaces own = make_emissive_faces(mesh_.positions, mesh_.indices);
+        const uint first = uint(faces.size());
+        faces.insert(faces.end(), own.faces.begin(), own.faces.end());
+        return make_light(EmissiveMesh{{radiance * float(own.area), {}}, first, uint(own.faces.size())});
     }
 
 private:

@@ -31,6 +31,8 @@ Scene scene_of_everything(uint width, uint height, uint spp) {
     scene.lights.push_back(point_light({2, 3, 2}, {9, 8, 7}));
     scene.lights.push_back(directional_light({-1, 1, 0.5f}, {0.5f, 0.6f, 0.9f}));
     scene.lights.push_back(spot_light({-2, 2, 2}, {0, 0, 0}, {5, 9, 6}, 50, 0.5));
+    shiny.emission = {2, 1, 3};
+    add_soup(scene, add_material(scene, shiny), {.counts = {{"sphere", 1}, {"triangle", 1}, {"frustum", 1}}, .seed = 4});
     return scene;
 }
 
@@ -127,6 +129,7 @@ class ManyLights : public testing::TestWithParam<uint> {};
 TEST_P(ManyLights, AddUpToOneAndAreTheSameForEveryBatch) {
     const uint count = GetParam();
     Scene scene = scene_of_everything(40, 30, 1);
+    scene.integrator.light_samples = 0;
     scene.lights.assign(1, point_light({2, 3, 2}, Spectrum(8)));
     const Rendering one = render_scene(scene);
     scene.lights.assign(count, point_light({2, 3, 2}, Spectrum(8.0f / count)));

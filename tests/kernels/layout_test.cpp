@@ -17,6 +17,7 @@
 #include "kernels/core/scene.h"
 #include "kernels/filters/filter.h"
 #include "kernels/lights/directional.h"
+#include "kernels/lights/emission.h"
 #include "kernels/lights/light.h"
 #include "kernels/lights/point.h"
 #include "kernels/lights/spot.h"
@@ -82,8 +83,8 @@ const Layouts &host_layouts() {
         RECORD(Material, kind, flags, priority, eta, emission, diffuse_texture, specular_texture, words),
         RECORD(Light, kind, words),
         RECORD(Group, blocks, nodes, extent),
-        RECORD(SceneHeader, world, shading, vertex_normals, vertex_uvs, vertex_colors, materials, lights, textures, background, ambient,
-               background_texture, background_turn),
+        RECORD(SceneHeader, world, shading, vertex_normals, vertex_uvs, vertex_colors, emissive_faces, materials, lights, textures, background,
+               ambient, background_texture, background_turn),
         RECORD(BvhNode, low, high, child, spare),
         RECORD(Whitted, ambient, diffuse, specular, reflection, transmission, exponent, fresnel),
         RECORD(Phong, diffuse, specular, exponent),
@@ -91,6 +92,12 @@ const Layouts &host_layouts() {
         RECORD(PointLight, position, intensity, attenuation),
         RECORD(DirectionalLight, direction, irradiance),
         RECORD(SpotLight, position, direction, intensity, attenuation, edge, steepness),
+        RECORD(Stratum, salt, rows, column_and_row),
+        RECORD(Emission, power, stratum),
+        RECORD(EmissiveMesh, emission, first_face, faces),
+        RECORD(EmissiveSphere, emission, center, radius),
+        RECORD(EmissiveFrustum, emission, center, along, radius, rise),
+        RECORD(EmissiveFace, corner, u, v, normal, folded, error, kept, alias),
         RECORD(LightSample, direction, distance, irradiance),
         RECORD(Surface, p, error, geometric, normal),
         RECORD(Pattern, uv, color),

@@ -44,9 +44,13 @@ Scene triangles_only(const Material &material) {
 
 Scene everything() {
     Scene scene = spheres_only(glass(1.5f));
+    scene.integrator.filtered_shadows = true;
     add_soup(scene, 0, {.of_each = 1});
     scene.lights.push_back(directional_light({0, 0, 1}, Spectrum(1)));
     scene.lights.push_back(spot_light({0, 0, 3}, {0, 0, 0}, Spectrum(1), 40, 0.2));
+    Material lamp = matte(0.5f);
+    lamp.emission = Spectrum(1);
+    add_soup(scene, add_material(scene, lamp), {.of_each = 1});
     scene.film.filter = kind_number(filter_kinds(), "gaussian");
     return scene;
 }
@@ -95,15 +99,25 @@ TEST(Absence, ASceneOfOneKindHasNoOtherPrimitivesCode) {
 }
 
 TEST(Absence, LightsOfOtherKindsAreNotThere) {
-    expect_absent(spheres_only(matte(0.5f)), {"directional", "spot_"});
+    expect_absent(spheres_only(matte(0.5f)), {"directional", "spot_", "emissive_", "stratum"});
     expect_absent(triangles_only(matte(0.5f)), {"point_sample", "spot_", "attenuation"});
     expect_present(everything(), "kernels/integrators/whitted.cl", "directional_sample");
     expect_present(everything(), "kernels/integrators/whitted.cl", "spot_sample");
+    for (const char *kind : {"emissive_mesh_sample", "emissive_sphere_sample", "emissive_frustum_sample"})
+        expect_present(everything(), "kernels/integrators/whitted.cl", kind);
 }
 
 TEST(Absence, WithoutTransparentMaterialsThereAreNoListsOfMedia) {
     for (const Material &material : {matte(0.5f), mirror(0.5f)}) expect_absent(spheres_only(material), {"core/interior.cl", "for_each_entry"});
     expect_present(spheres_only(glass(1.5f)), "kernels/integrators/whitted.cl", "core/interior.cl");
+}
+
+TEST(Absence, ShadowsAreNotFilteredUnlessAskedFor) {
+    expect_absent(spheres_only(glass(1.5f)), {"core/shadow_filter.cl"});
+    Scene opaque = spheres_only(matte(0.5f));
+    opaque.integrator.filtered_shadows = true;
+    expect_absent(opaque, {"core/shadow_filter.cl"});
+    expect_present(everything(), "kernels/integrators/whitted.cl", "core/shadow_filter.cl");
 }
 
 TEST(Absence, OtherAcceleratorsAreNotThere) {
@@ -134,8 +148,9 @@ TEST(Absence, WhatASceneDoesNotNeedIsNotLaunched) {
     dark.lights.clear();
     const auto opaque = launched_by(spheres_only(matte(0.5f))), unlit = launched_by(dark), shiny = launched_by(spheres_only(mirror(0.5f)));
     EXPECT_TRUE(opaque.contains("trace_shadow_rays"));
-    for (const char *kernel : {"trace_shadow_rays", "spawn_shadow_rays"}) EXPECT_FALSE(unlit.contains(kernel)) << kernel;
+    for (const char *kernel : {"trace_shadow_rays", "spawn_shadow_rays", "filter_shadow_rays"}) EXPECT_FALSE(unlit.contains(kernel)) << kernel;
     EXPECT_FALSE(opaque.contains("spawn_whitted"));
+    EXPECT_FALSE(opaque.contains("filter_shadow_rays"));
     EXPECT_TRUE(shiny.contains("spawn_whitted"));
     dark.film.spp = 2, dark.film.filter = kind_number(filter_kinds(), "mitchell");
     EXPECT_TRUE(launched_by(dark).contains("weigh_samples"));

@@ -40,11 +40,15 @@ std::string read_text(const fs::path &path) {
 std::string scene_of(const std::string &material, const std::string &filter = "box") {
     return R"({"film": {"width": 32, "height": 32, "spp": 4, "filter": ")" + filter +
            R"("}, "camera": {"from": [0, 1, 6], "at": [0, 0, 0], "fov": 40}, "ambient": 0.1,
+        "integrator": {"shadows": "filtered"},
         "materials": [{"name": "m", "type": "whitted", "diffuse": 0.5, "specular": 0.4, "exponent": 20)" +
-           material + R"(}],
+           material + R"(}, {"name": "lamp", "type": "whitted", "emission": 1}],
         "lights": [{"type": "point", "position": [3, 5, 4], "intensity": 100}, {"type": "directional", "direction": [0, -1, -1], "irradiance": 1},
             {"type": "spot", "position": [-3, 5, 4], "at": [0, 0, 0], "intensity": 100, "angle": 40}],
         "objects": [{"type": "sphere", "material": "m", "center": [0, 0, 0], "radius": 1},
+            {"type": "sphere", "material": "lamp", "center": [0, 3, 0], "radius": 0.5},
+            {"type": "cylinder", "material": "lamp", "base": [-2, 3, 0], "apex": [-2, 4, 0], "radius": 0.5},
+            {"type": "polygon", "material": "lamp", "vertices": [[1, 3, 0], [2, 3, 0], [2, 3, 1], [1, 3, 2]]},
             {"type": "cylinder", "material": "m", "base": [-2, -1, 0], "apex": [-2, 1, 0], "radius": 0.5},
             {"type": "polygon", "material": "m", "vertices": [[-4, -1, 4], [4, -1, 4], [4, -1, -4], [-4, -1, -4]]},
             {"type": "triangle_mesh", "material": "m", "positions": [[1, -1, 0], [3, -1, 0], [2, 1, 0]], "normals": [[0, 0, 1], [0.1, 0, 1], [0, 0.1, 1]],

@@ -175,6 +175,9 @@ TEST(Statistics, HaveEveryPromisedField) {
     }
     for (const char *name : {"scene_bytes", "wave_bytes", "film_bytes"}) EXPECT_GT(stats.at("memory").at(name).get<std::uint64_t>(), 0u) << name;
     EXPECT_TRUE(stats.at("features").at("used").is_array());
+    for (const json &hidden : stats.at("features").at("not_shown")) EXPECT_FALSE(hidden.at("why").get<std::string>().empty()) << hidden;
+    EXPECT_EQ(stats.at("scene").at("lights"), 1);
+    EXPECT_EQ(stats.at("scene").at("light_kinds"), json({{"point", 1}}));
     for (const json &skipped : stats.at("features").at("skipped")) EXPECT_FALSE(skipped.at("why").get<std::string>().empty()) << skipped;
 }
 

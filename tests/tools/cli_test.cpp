@@ -37,7 +37,7 @@ TEST(Cli, HelpOfRenderNamesEveryOption) {
     const Finished run = run_program({"render", "--help"});
     expect_success(run);
     for (const char *option : {"--output", "--integrator", "--accelerator", "--spp", "--size", "--seed", "--pixel", "--camera", "--max-depth",
-                               "--set", "--device", "--batch", "--threads", "--stats", "--explain", "--quiet"})
+                               "--light-samples", "--shadows", "--set", "--device", "--batch", "--threads", "--stats", "--explain", "--quiet"})
         EXPECT_NE(run.out.find(option), std::string::npos) << option;
 }
 
@@ -156,6 +156,9 @@ TEST(Cli, ExplainSaysWhatIsUsedAndWhatIsSkippedAndWhy) {
     EXPECT_NE(run.out.find("uses    accelerator wide_bvh\n"), std::string::npos) << run.out;
     EXPECT_NE(run.out.find("skips   primitive triangle: the scene has none\n"), std::string::npos) << run.out;
     EXPECT_NE(run.out.find("skips   spawn_whitted: no material reflects or transmits\n"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("skips   filter_shadow_rays: shadows are opaque; --shadows filtered asks for others\n"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("\ncannot show indirect light: "), std::string::npos) << run.out;
+    EXPECT_EQ(run.out.find("cannot show light through"), std::string::npos) << "nothing is transparent: " << run.out;
     EXPECT_EQ(run.err, "");
 }
 

@@ -49,7 +49,7 @@ template <class Record> std::vector<std::byte> bytes_of(const Record &record) {
 TEST_F(Schema, NamesTheKindsThatTheReaderKnows) {
     EXPECT_EQ(types_of("object"), names_of(shape_readers()));
     EXPECT_EQ(types_of("material"), names_of(bsdf_kinds()));
-    EXPECT_EQ(types_of("light"), names_of(light_kinds()));
+    EXPECT_EQ(types_of("light"), names_of(lights_of_files()));
     std::vector<std::string> accelerators = names_of(accelerator_kinds());
     accelerators.insert(accelerators.begin(), "auto");
     EXPECT_EQ(schema.at("properties").at("accelerator").at("enum").get<std::vector<std::string>>(), accelerators);
@@ -70,6 +70,8 @@ TEST_F(Schema, ItsDefaultsAreTheReaders) {
     EXPECT_EQ(a.integrator.type, b.integrator.type);
     EXPECT_EQ(a.integrator.max_depth, b.integrator.max_depth);
     EXPECT_EQ(a.integrator.threshold, b.integrator.threshold);
+    EXPECT_EQ(a.integrator.light_samples, b.integrator.light_samples);
+    EXPECT_EQ(a.integrator.filtered_shadows, b.integrator.filtered_shadows);
     EXPECT_EQ(a.cameras[0].up, b.cameras[0].up);
     EXPECT_EQ(a.cameras[0].fov, b.cameras[0].fov);
     EXPECT_EQ(bytes_of(a.materials[0].record), bytes_of(b.materials[0].record));

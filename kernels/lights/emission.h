@@ -1,0 +1,47 @@
+/// Emissive shapes as lights: each record is one stratum of one shape, from which every surface point takes one point.
+#pragma once
+#include "kernels/core/portable.h"
+
+#define MAX_LIGHT_SAMPLES 64u
+
+/// A cell of the k x k into which the unit square is divided from which points of a light are made.
+typedef struct {
+    uint salt;            ///< of its random numbers, different for every cell of every light
+    uint rows;            ///< k
+    uint column_and_row;  ///< column | row << 16
+} Stratum;
+
+/// What their views of Light.words begin with.
+typedef struct {
+    Spectrum power;  ///< radiance, times the area where points are uniform by area, over k²
+    Stratum stratum;
+} Emission;
+
+/// Flat faces of a mesh; points are uniform by area.
+typedef struct {
+    Emission emission;
+    uint first_face, faces;  ///< in SceneHeader.emissive_faces
+} EmissiveMesh;
+
+typedef struct {
+    Emission emission;
+    vec3 center;
+    float radius;
+} EmissiveSphere;
+
+/// Points center + z along + x, x ⊥ along, with |z| <= 1 and |x| = radius + rise z; uniform by area.
+typedef struct {
+    Emission emission;
+    vec3 center, along;
+    float radius, rise;
+} EmissiveFrustum;
+
+/// A triangle or parallelogram of a mesh, and the face's entry in the mesh's table of aliases (Walker 1977; Vose 1991). 64 bytes.
+typedef struct {
+    vec3 corner, u, v;  ///< points corner + s u + t v, s and t in [0, 1]; of a triangle, s + t <= 1 too
+    vec3 normal;        ///< unit length
+    float folded;       ///< 1 for a triangle, else 0
+    float error;        ///< bounds how far from the face the points are
+    float kept;         ///< with this probability the entry means its own face,
+    uint alias;         ///< else this one, counted in the mesh
+} EmissiveFace;

@@ -1,0 +1,43 @@
+// Emissive mesh: points uniform by area, in strata of every face.
+#pragma once
+#include "kernels/core/load.cl"
+#include "kernels/core/scene.cl"
+#include "kernels/lights/emission.cl"
+#include "kernels/lights/stratum.cl"
+
+FUNCTION EmissiveMesh emissive_mesh_view(Light l) {
+    EmissiveMesh light;
+    light.emission = emission_view(l);
+    light.first_face = l.words[6], light.faces = l.words[7];
+    return light;
+}
+
+/// A face chosen by area. Rows of lights of other kinds are evaluated too, and not selected: their numbers are kept within the array.
+FUNCTION const global EmissiveFace *emissive_mesh_face(Scene scene, EmissiveMesh light, uint random) {
+    const global EmissiveFace *faces = SCENE_ARRAY(scene, EmissiveFace, emissive_faces);
+    const uint last = scene.header->emissive_faces.count - 1u;
+    const uint entry = (uint)((uint64)hash(random + 2u) * light.faces >> 32);
+    const global EmissiveFace *face = faces + min(light.first_face + entry, last);
+    const uint chosen = unit_interval(hash(random + 3u)) < face->kept ? entry : face->alias;
+    return faces + min(light.first_face + chosen, last);
+}
+
+/// The square is folded onto the triangle, so that neighbours stay neighbours (Heitz, A Low-Distortion Map Between Triangle and Square, 2019).
+FUNCTION vec2 triangle_of_square(vec2 square) {
+    const bool above = square.y > square.x;
+    const float half_x = 0.5f * square.x, half_y = 0.5f * square.y;
+    vec2 point;
+    point.x = above ? half_x : square.x - half_y;
+    point.y = above ? square.y - half_x : half_y;
+    return point;
+}
+
+FUNCTION LightSample emissive_mesh_sample(Scene scene, Light l, vec3 p, uint branch) {
+    const EmissiveMesh light = emissive_mesh_view(l);
+    const uint random = stratum_random(light.emission.stratum, branch);
+    const global EmissiveFace *face = emissive_mesh_face(scene, light, random);
+    const vec2 square = stratum_point(light.emission.stratum, random), folded = triangle_of_square(square);
+    const float s = face->folded > 0.0f ? folded.x : square.x, t = face->folded > 0.0f ? folded.y : square.y;
+    const vec3 q = plus(load(&face->corner), plus(scaled(load(&face->u), s), scaled(load(&face->v), t)));
+    return emission_sample(p, q, load(&face->normal), face->error, light.emission.power);
+}

@@ -1,0 +1,38 @@
+// Emissive sphere: from outside points of the part that is seen, from inside all points.
+#pragma once
+#include "kernels/core/frame.cl"
+#include "kernels/core/math.cl"
+#include "kernels/core/scene.cl"
+#include "kernels/lights/emission.cl"
+#include "kernels/lights/stratum.cl"
+
+#define SPHERE(name) emissive_sphere_##name
+#include "kernels/primitives/sphere_offset.cl"
+#undef SPHERE
+
+FUNCTION EmissiveSphere emissive_sphere_view(Light l) {
+    EmissiveSphere light;
+    light.emission = emission_view(l);
+    light.center = make3(as_float(l.words[6]), as_float(l.words[7]), as_float(l.words[8]));
+    light.radius = as_float(l.words[9]);
+    return light;
+}
+
+/// Where the axis is z and points to p, at distance d from the centre: from outside z² is uniform between (radius / d)², the horizon, and 1, so that
+/// the density [1/area] is z / (pi radius² (1 - (radius / d)²)), which from afar makes every point count the same; from inside z is uniform
+/// between -1 and 1, and the density 1 / (4 pi radius²).
+FUNCTION LightSample emissive_sphere_sample(Scene scene, Light l, vec3 p, uint branch) {
+    const EmissiveSphere light = emissive_sphere_view(l);
+    const vec2 square = stratum_point(light.emission.stratum, stratum_random(light.emission.stratum, branch));
+    const bool outside = emissive_sphere_offset(light.center, light.radius, p) > 0.0f;
+    const vec3 f = minus(p, light.center);
+    const float d = sqrt(dot3(f, f)), ratio = minimum(light.radius / d, 1.0f), seen = (1.0f - ratio) * (1.0f + ratio);
+    const float z = outside ? sqrt(maximum(fma(-seen, square.x, 1.0f), 0x1p-48f)) : 1.0f - 2.0f * square.x;
+    const float inverse_density = (outside ? seen / z : 4.0f) * PI * light.radius * light.radius;
+
+    const vec3 axis = where(d > 0.0f, scaled(f, 1.0f / d), make3(0.0f, 0.0f, 1.0f));
+    const vec3 normal = unit(from_axis(axis, z, turn(square.y)));
+    const vec3 q = plus(light.center, scaled(normal, light.radius));
+    const float error = 0x1p-21f * (largest(absolute(light.center)) + light.radius);
+    return emission_sample(p, q, normal, error, scaled(light.emission.power, inverse_density));
+}

@@ -1,0 +1,121 @@
+#include "scene/lights/emissive_faces.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace brandung {
+namespace {
+
+using Triangle = std::array<uint, 3>;
+/// Vertices of an edge, the lower first -> triangles that have it.
+using Edges = std::map<std::pair<uint, uint>, std::vector<uint>>;
+
+constexpr uint nobody = 0xffffffffu;
+
+float largest(vec3 v) { return std::max({v.x, v.y, v.z}); }
+
+/// A face at a corner, with the sides that lead from it to two others. The points that kernels make of it have a rounding error of 2^-22 of these
+/// lengths, and the fourth corner of a parallelogram may be off by as much as is_parallelogram allows.
+EmissiveFace face_at(vec3 corner, vec3 a, vec3 b, bool is_triangle) {
+    const vec3 u = a - corner, v = b - corner;
+    const glm::dvec3 normal = glm::cross(glm::dvec3(a) - glm::dvec3(corner), glm::dvec3(b) - glm::dvec3(corner));
+    return {.corner = corner,
+            .u = u,
+            .v = v,
+            .normal = vec3(glm::normalize(normal)),
+            .folded = is_triangle ? 1.0f : 0.0f,
+            .error = 0x1p-20f * largest(glm::abs(corner) + glm::abs(u) + glm::abs(v)),
+            .kept = 1,
+            .alias = 0};
+}
+
+double area_of(const EmissiveFace &face) { return glm::length(glm::cross(glm::dvec3(face.u), glm::dvec3(face.v))) * (face.folded > 0 ? 0.5 : 1); }
+
+/// Whether the far corner is where the sides a and b from the corner lead together, to a few roundings.
+bool is_parallelogram(vec3 corner, vec3 a, vec3 b, vec3 far) {
+    const glm::dvec3 off = glm::abs(glm::dvec3(far) - (glm::dvec3(a) + glm::dvec3(b) - glm::dvec3(corner)));
+    return std::max({off.x, off.y, off.z}) <= 0x1p-22 * double(largest(glm::abs(corner) + glm::abs(a) + glm::abs(b)));
+}
+
+class Pairing {
+public:
+    Pairing(const std::vector<vec3> &positions, std::span<const uint> indices) : positions_(positions) {
+        for (std::size_t i = 0; i + 2 < indices.size(); i += 3) triangles_.push_back({indices[i], indices[i + 1], indices[i + 2]});
+        for (uint t = 0; t < triangles_.size(); ++t)
+            for (uint k = 0; k < 3; ++k) edges_[edge(t, k)].push_back(t);
+        taken_.resize(triangles_.size());
+    }
+
+    std::vector<EmissiveFace> faces() {
+        std::vector<EmissiveFace> faces;
+        for (uint t = 0; t < triangles_.size(); ++t)
+            if (!taken_[t]) faces.push_back(face_of(t));
+        return faces;
+    }
+
+private:
+    /// The edge opposite to corner k.
+    std::pair<uint, uint> edge(uint t, uint k) const { return std::minmax(triangles_[t][(k + 1) % 3], triangles_[t][(k + 2) % 3]); }
+    vec3 corner(uint t, uint k) const { return positions_[triangles_[t][k]]; }
+
+    /// The corner that is not on the edge.
+    vec3 opposite(uint t, std::pair<uint, uint> shared) const {
+        for (uint k = 0; k < 3; ++k)
+            if (edge(t, k) == shared) return corner(t, k);
+        return corner(t, 0);
+    }
+
+    /// The first free triangle that makes a parallelogram with t across the edge opposite to its corner k.
+    uint partner(uint t, uint k) const {
+        for (const uint other : edges_.at(edge(t, k)))
+            if (other != t && !taken_[other] &&
+                is_parallelogram(corner(t, k), corner(t, (k + 1) % 3), corner(t, (k + 2) % 3), opposite(other, edge(t, k))))
+                return other;
+        return nobody;
+    }
+
+    EmissiveFace face_of(uint t) {
+        uint best = nobody, at = 0;
+        for (uint k = 0; k < 3; ++k)
+            if (const uint other = partner(t, k); other < best) best = other, at = k;
+        taken_[t] = true;
+        if (best != nobody) taken_[best] = true;
+        return face_at(corner(t, at), corner(t, (at + 1) % 3), corner(t, (at + 2) % 3), best == nobody);
+    }
+
+    const std::vector<vec3> &positions_;
+    std::vector<Triangle> triangles_;
+    Edges edges_;
+    std::vector<bool> taken_;
+};
+
+/// Entry i of n stands for itself with probability `kept` and for its alias otherwise, so that all together choose each face by its area: entries
+/// with more than 1/n of the area give what those with less lack (Vose, IEEE Trans. Software Eng. 17(9) 1991).
+void write_aliases(std::vector<EmissiveFace> &faces, double area) {
+    std::vector<double> share(faces.size());
+    std::vector<uint> poor, rich;
+    for (uint i = 0; i < faces.size(); ++i) {
+        share[i] = area_of(faces[i]) / area * double(faces.size());
+        (share[i] < 1 ? poor : rich).push_back(i);
+        faces[i].kept = 1, faces[i].alias = i;
+    }
+    while (!poor.empty() && !rich.empty()) {
+        const uint low = poor.back(), high = rich.back();
+        poor.pop_back();
+        faces[low].kept = float(share[low]), faces[low].alias = high;
+        share[high] -= 1 - share[low];
+        if (share[high] < 1) rich.pop_back(), poor.push_back(high);
+    }
+}
+
+}  // namespace
+
+EmissiveFaces make_emissive_faces(const std::vector<vec3> &positions, std::span<const uint> indices) {
+    EmissiveFaces result{Pairing(positions, indices).faces(), 0};
+    for (const EmissiveFace &face : result.faces) result.area += area_of(face);
+    write_aliases(result.faces, result.area);
+    return result;
+}
+
+}  // namespace brandung

@@ -1,0 +1,22 @@
+/// What lights a scene: its lights, and its shapes that shine.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace brandung {
+
+/// Every surface point sends one shadow ray to each row: to a light, or to one stratum of an emissive shape.
+struct LightRows {
+    std::vector<Light> rows;
+    std::vector<EmissiveFace> faces;     ///< of emissive meshes
+    uint dark = 0;                       ///< emissive shapes of which the integrator takes no samples
+    std::map<std::string, uint> counts;  ///< of lights and emissive shapes, by kind
+};
+
+/// Emissive shapes are lights if the integrator takes samples of them and there is a surface on which light can be seen.
+LightRows make_light_rows(const Scene &scene);
+
+}  // namespace brandung

@@ -1,0 +1,230 @@
+/// Light of emissive surfaces against analytic irradiances.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene/bsdfs/bsdf.h"
+#include "tests/images/oracle.h"
+#include "tests/support/rendering.h"
+#include "tests/support/scenes.h"
+
+namespace {
+
+using namespace brandung;
+using oracle::pi;
+using oracle::Real;
+using oracle::Vec;
+
+Material lamp(float radiance) {
+    Material material = make_material(Whitted{.exponent = 1});
+    material.emission = Spectrum(radiance);
+    return material;
+}
+
+/// Looks from `from` at a point of what material 0, of reflectance 1, is added as: so narrow that every pixel is another estimate of that point's
+/// irradiance over pi. The lamp, material 1, has radiance 1.
+Scene scene_seen_at(vec3 from, vec3 at) {
+    Scene scene;
+    scene.file = "emissive";
+    CameraDescription camera;
+    camera.from = from, camera.at = at, camera.up = {0.3f, 0.2f, 1}, camera.fov = 1e-4f;
+    scene.cameras.push_back(camera);
+    scene.film.width = 32, scene.film.height = 24, scene.film.spp = 16;
+    scene.integrator.max_depth = 1;
+    add_material(scene, matte(1)), add_material(scene, lamp(1));
+    return scene;
+}
+
+void add_quad(Scene &scene, uint material, vec3 corner, vec3 u, vec3 v) {
+    MeshData mesh;
+    append_polygon(scene, mesh, {corner, corner + u, corner + u + v, corner + v}, {});
+    add_triangle_mesh(scene, material, std::move(mesh));
+}
+
+void add_floor(Scene &scene) { add_quad(scene, 0, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}); }
+
+/// The same quadrilateral as 2 n² triangles, which make n² parallelograms.
+void add_grid(Scene &scene, uint material, vec3 corner, vec3 u, vec3 v, uint n) {
+    MeshData mesh;
+    for (uint j = 0; j <= n; ++j)
+        for (uint i = 0; i <= n; ++i) mesh.positions.push_back(corner + u * (float(i) / float(n)) + v * (float(j) / float(n)));
+    for (uint j = 0; j < n; ++j)
+        for (uint i = 0; i < n; ++i) {
+            const uint a = j * (n + 1) + i, b = a + n + 1;
+            for (const uint index : {a, a + 1, b + 1, a, b + 1, b}) mesh.indices.push_back(index);
+        }
+    add_triangle_mesh(scene, material, std::move(mesh));
+}
+
+/// Of the samples, in units of the film's.
+struct Estimate {
+    Real mean, variance;  ///< of one sample
+    std::uint64_t samples, shadow_rays, shadow_hits;
+    Real error() const { return std::sqrt(variance / Real(samples)); }
+};
+
+Estimate estimate(const Scene &scene) {
+    const Rendering rendering = render_scene(scene);
+    EXPECT_EQ(rendering.refused, 0u);
+    EXPECT_EQ(rendering.clamped, 0u);
+    Real sum = 0, squares = 0, samples = 0;
+    for (const FilmPixel &pixel : rendering.film) {
+        sum += static_cast<Real>(sum_of(pixel, 0)) * 0x1p-32L;
+        squares += static_cast<Real>(value_of(pixel.squares[0])) * 0x1p-64L;
+        samples += pixel.counts[0] + pixel.counts[1];
+    }
+    const Real mean = sum / samples;
+    return {mean, std::max(squares / samples - mean * mean, 0.0L), std::uint64_t(samples), rendering.counts.rays[RAY_SHADOW],
+            rendering.counts.hits[RAY_SHADOW]};
+}
+
+/// A normal variable is beyond 4.5 in 7e-6 of all cases; the tests here ask some thirty times.
+constexpr Real significant = 4.5L;
+
+/// The mean of the samples, to their statistics and the rounding of a picture.
+void expect_mean(const Estimate &estimate, Real expected) {
+    EXPECT_NEAR(estimate.mean, expected, significant * estimate.error() + 1e-5L * expected);
+    EXPECT_LT(estimate.error(), 0.01L * expected) << "the test can tell";
+}
+
+/// Form factor from a surface element to a parallel rectangle, one of whose corners is straight above it: sides over height a and b (Howell, C-11).
+Real corner_factor(Real a, Real b) {
+    const Real p = std::sqrt(1 + a * a), q = std::sqrt(1 + b * b);
+    return (a / p * std::atan(b / p) + b / q * std::atan(a / q)) / (2 * pi);
+}
+
+/// To the square [-1, 1]² at height 2, from (x, z): factors of corners are odd in both sides.
+Real square_factor(Real x, Real z) {
+    Real sum = 0;
+    for (const Real u : {-1, 1})
+        for (const Real v : {-1, 1}) sum += corner_factor((1 + u * x) / 2, (1 + v * z) / 2);
+    return sum;
+}
+
+class Square : public testing::TestWithParam<vec2> {
+protected:
+    const vec3 place{GetParam().x, 0, GetParam().y};
+    Scene scene = scene_seen_at(place + vec3(4, 1, 0.5f), place);
+    const Real expected = square_factor(place.x, place.z);
+};
+
+}  // namespace
+
+TEST_P(Square, GivesItsFormFactorTimesPiOverPi) {
+    add_floor(scene), add_quad(scene, 1, {-1, 2, -1}, {2, 0, 0}, {0, 0, 2});
+    const Estimate once = estimate(scene);
+    expect_mean(once, expected);
+    EXPECT_EQ(once.shadow_hits, 0u) << "a lamp does not shadow itself";
+    EXPECT_EQ(once.shadow_rays, once.samples);
+
+    // A quad is one face: each of 4 x 4 strata is a part of it.
+    scene.integrator.light_samples = 4;
+    const Estimate strata = estimate(scene);
+    expect_mean(strata, expected);
+    EXPECT_EQ(strata.shadow_rays, 16 * strata.samples);
+    EXPECT_EQ(strata.shadow_hits, 0u);
+    EXPECT_LT(strata.variance, once.variance / 100) << "16 for the number, the rest for the strata";
+}
+
+TEST_P(Square, IsTheSameInManyTriangles) {
+    add_floor(scene), add_grid(scene, 1, {-1, 2, -1}, {2, 0, 0}, {0, 0, 2}, 10);
+    const Estimate grid = estimate(scene);
+    expect_mean(grid, expected);
+    EXPECT_EQ(grid.shadow_hits, 0u);
+}
+
+TEST_P(Square, ShinesOnBothSides) {
+    add_floor(scene), add_quad(scene, 1, {-1, 2, 1}, {2, 0, 0}, {0, 0, -2});
+    expect_mean(estimate(scene), expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(EmissiveLights, Square, testing::Values(vec2(0, 0), vec2(0.8f, -0.3f), vec2(-3, 2)),
+                         [](const auto &info) { return "Place" + std::to_string(info.index); });
+
+/// Two triangles that make no parallelogram: halves of unequal area, of which each is chosen by its own.
+TEST(EmissiveLights, TrianglesAreChosenByArea) {
+    Scene scene = scene_seen_at({4, 1, 0.5f}, {0, 0, 0});
+    add_floor(scene);
+    MeshData mesh{.positions = {{-1, 2, -1}, {1, 2, -1}, {1, 2, 1}, {-1, 2, 1}, {-1, 2, -0.5f}}, .indices = {0, 1, 4, 4, 1, 2, 4, 2, 3}};
+    add_triangle_mesh(scene, 1, std::move(mesh));
+    expect_mean(estimate(scene), square_factor(0, 0));
+}
+
+class Ball : public testing::TestWithParam<float> {};
+
+/// A sphere of radius r at distance d, all of it above the horizon: E = pi L (r / d)² cos.
+TEST_P(Ball, GivesTheSquaredRatioTimesTheCosine) {
+    const float radius = GetParam();
+    Scene scene = scene_seen_at({4, 1, 0.5f}, {0, 0, 0});
+    add_floor(scene), add_sphere(scene, 1, {1, 2, -2}, radius);
+    const Real expected = Real(radius) * radius / 9 * 2 / 3;  // d = 3, cosine 2 / 3
+    const Estimate once = estimate(scene);
+    expect_mean(once, expected);
+    EXPECT_EQ(once.shadow_hits, 0u) << "only what is seen of the lamp is asked";
+    EXPECT_EQ(once.shadow_rays, once.samples);
+    scene.integrator.light_samples = 4;
+    expect_mean(estimate(scene), expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(EmissiveLights, Ball, testing::Values(0.01f, 0.5f, 1.9f),
+                         [](const auto &info) { return "Radius" + std::to_string(info.index); });
+
+/// From afar every point of a sphere counts the same: no noise, in spite of one sample.
+TEST(EmissiveLights, DistantSpheresAreWithoutNoise) {
+    Scene scene = scene_seen_at({4, 1, 0.5f}, {0, 0, 0});
+    add_floor(scene), add_sphere(scene, 1, {1, 2, -2}, 0.01f);
+    const Estimate once = estimate(scene);
+    EXPECT_LT(std::sqrt(once.variance), 0.01L * once.mean);
+}
+
+/// The middle of the floor of a round room sees of its hemisphere the wall, and the opening above: 1 - b² / (b² + h²).
+class Wall : public testing::TestWithParam<float> {};
+
+TEST_P(Wall, OfConesAndCylindersGivesWhatTheOpeningLeaves) {
+    const float top = GetParam();
+    Scene scene = scene_seen_at({0.2f, 1, 0.3f}, {0, 0, 0});
+    add_floor(scene), add_frustum(scene, 1, {0, 0, 0}, 1, {0, 1.5f, 0}, top);
+    const Real expected = 1 - Real(top) * top / (Real(top) * top + 2.25L);
+    const Estimate once = estimate(scene);
+    expect_mean(once, expected);
+    EXPECT_EQ(once.shadow_hits, 0u);
+    scene.integrator.light_samples = 3;
+    expect_mean(estimate(scene), expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(EmissiveLights, Wall, testing::Values(1.0f, 0.4f, 0.0f, 2.0f),
+                         [](const auto &info) { return "Top" + std::to_string(info.index); });
+
+/// In a sphere of radiance L and reflectance rho every point has irradiance pi L from its own wall: each of its points counts the same, since
+/// cos cos' / d² = 1 / (4 r²). So every pixel is L + rho L.
+TEST(EmissiveLights, FurnaceOfOneBounceHasNoNoise) {
+    Scene scene = scene_seen_at({0.3f, 0.2f, -0.4f}, {-1, 0.5f, 0.7f});
+    scene.cameras[0].fov = 1.2f;
+    Material material = matte(0.25f);
+    material.emission = Spectrum(2);
+    add_sphere(scene, add_material(scene, material), {0, 0, 0}, 1);
+    const Rendering rendering = render_scene(scene);
+    // Points as near as 1e-3, of which there are 1e-6 / 4, know their cosines to 1e-3.
+    for (const vec3 &pixel : rendering.picture) ASSERT_NEAR(pixel.x, 2.5f, 1e-3f);
+    EXPECT_EQ(rendering.counts.hits[RAY_SHADOW], 0u);
+}
+
+/// Lamps are seen, but light nothing, where no light samples are asked for.
+TEST(EmissiveLights, NoSamplesNoLight) {
+    Scene scene = scene_seen_at({4, 1, 0.5f}, {0, 0, 0});
+    scene.integrator.light_samples = 0;
+    add_floor(scene), add_sphere(scene, 1, {1, 2, -2}, 1);
+    const Estimate dark = estimate(scene);
+    EXPECT_EQ(dark.mean, 0);
+    EXPECT_EQ(dark.shadow_rays, 0u);
+}
+
+/// Half of a square lamp behind a screen: half of its rays meet something.
+TEST(EmissiveLights, ShadowsHavePenumbras) {
+    Scene scene = scene_seen_at({4, 0.5f, 0.5f}, {0, 0, 0});
+    add_floor(scene), add_quad(scene, 1, {-1, 2, -1}, {2, 0, 0}, {0, 0, 2}), add_quad(scene, 0, {0, 1, -9}, {9, 0, 0}, {0, 0, 18});
+    scene.integrator.light_samples = 2;
+    const Estimate half = estimate(scene);
+    expect_mean(half, square_factor(0, 0) / 2);
+    EXPECT_EQ(2 * half.shadow_hits, half.shadow_rays) << "two of the four strata lie behind the screen";
+}
