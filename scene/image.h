@@ -13,6 +13,7 @@ struct Picture {
     uint width = 0, height = 0;
     std::vector<vec3> pixels;
     std::map<std::string, std::string> metadata;
+    bool encoded = false;  ///< whether its values were read from the sRGB curve
 };
 
 /// How a file's numbers stand for linear light.

@@ -55,13 +55,13 @@ Picture read_picture(const std::string &file, Encoding encoding) {
     std::vector<float> values(channels * pixels);
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data())) throw cannot_read(file, input->geterror());
 
-    Picture picture{uint(spec.width), uint(spec.height), std::vector<vec3>(pixels), texts(spec)};
-    const std::array<std::size_t, 3> colour = colour_channels(spec);
     const bool linear = encoding == Encoding::linear || (encoding == Encoding::automatic && is_linear(spec));
+    Picture picture{uint(spec.width), uint(spec.height), std::vector<vec3>(pixels), texts(spec), !linear};
+    const std::array<std::size_t, 3> colour = colour_channels(spec);
     for (std::size_t i = 0; i < pixels; ++i)
         for (std::size_t c = 0; c < 3; ++c) {
             const float value = values[i * channels + colour[c]];
-            picture.pixels[i][int(c)] = linear ? value : srgb_decoded(value);
+            picture.pixels[i][int(c)] = picture.encoded ? srgb_decoded(value) : value;
         }
     return picture;
 }

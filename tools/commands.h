@@ -7,5 +7,6 @@ namespace brandung {
 void add_render(CLI::App &app, int &status);
 void add_info(CLI::App &app, int &status);
 void add_devices(CLI::App &app, int &status);
+void add_compare(CLI::App &app, int &status);
 
 }  // namespace brandung

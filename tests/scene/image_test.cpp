@@ -149,6 +149,7 @@ TEST(Image, IsReadAsItWasWritten) {
         for (std::size_t i = 0; i < read.pixels.size(); ++i)
             for (int c = 0; c < 3; ++c) ASSERT_NEAR(read.pixels[i][c], picture.pixels[i][c], tolerance) << name << ", pixel " << i;
         EXPECT_EQ(read.metadata.contains("brandung:answer"), stores_metadata(name)) << name;
+        EXPECT_EQ(read.encoded, name == std::string("a.png")) << name;
     }
 }
 
