@@ -8,6 +8,10 @@ namespace brandung {
 
 /// {"primitives": 12, "triangles": 8, "lights": 1, "materials": 2, "cameras": 1, "kinds": {"sphere": 4, "triangle": 8}}: what is in the scene.
 nlohmann::json scene_contents(const Scene &scene, const CompiledScene &compiled);
+/// {"camera": 12, "camera_hits": 8, ..., "total": 40}: rays, and the hits of each kind.
+nlohmann::json ray_statistics(const RayCounts &counts);
+/// [{"name": text, "launches": ..., "items": ..., "milliseconds": ...}, ...]
+nlohmann::json kernel_statistics(const Profile &profile);
 /// {"used": [text, ...], "skipped": [{"name": text, "why": text}, ...]}: what the scene needs, what was skipped and why.
 nlohmann::json features(const Job &job);
 /// The same, one thing a line.
