@@ -88,7 +88,7 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
       interior_(media_of_eye(scene, compiled, camera)),
       samples_per_batch_(samples_at_once(film_settings_, options_.batch)),
       filter_(device, film_settings_, on_device.lists()),
-      integrator_(make_integrator({device, scene, compiled, on_device, filter_, options_.batch})),
+      integrator_(make_integrator({device, scene, compiled, on_device, filter_, options_.batch, options_.on_step})),
       pixels_(device, options_.batch / samples_per_batch_),
       samples_(device, options_.batch) {}
 

@@ -16,6 +16,7 @@ struct RenderOptions {
     uint batch = 32768;  ///< rays per wave
     /// Called after every batch; false stops the render.
     std::function<bool(const RenderProgress &)> on_progress;
+    WatchSteps on_step;  ///< of the integrator's loop
 };
 
 /// How a render ended; the film has the samples of whole batches.

@@ -36,4 +36,7 @@ bool stores_metadata(const std::string &file);
 /// curve. The file appears under its name only when it is complete. Throws SceneError.
 void write_picture(const std::string &file, const Picture &picture, float exposure);
 
+/// The same 8 bits as a PNG file's bytes, compressed quickly rather than well. Throws SceneError.
+std::vector<unsigned char> png_bytes(const Picture &picture, float exposure);
+
 }  // namespace brandung

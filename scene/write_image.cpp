@@ -1,4 +1,5 @@
 /// Writing pictures.
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fcntl.h>
 #include <unistd.h>
@@ -111,6 +112,19 @@ void write_picture(const std::string &file, const Picture &picture, float exposu
         PictureFile opened(file, temporary, picture.width, picture.height, picture.metadata);
         opened.floats() ? opened.write(picture.pixels) : opened.write(eight_bits(picture.pixels, exposure));
     });
+}
+
+std::vector<unsigned char> png_bytes(const Picture &picture, float exposure) {
+    const auto output = OIIO::ImageOutput::create("png");
+    OIIO::ImageSpec spec(static_cast<int>(picture.width), static_cast<int>(picture.height), 3, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("png:compressionLevel", 1);
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const bool written = output && output->set_ioproxy(&memory) && output->open("picture.png", spec) &&
+                         output->write_image(OIIO::TypeDesc::UINT8, eight_bits(picture.pixels, exposure).data()) && output->close();
+    if (!written) throw SceneError("cannot make a PNG in memory: " + (output ? output->geterror() : OIIO::geterror()));
+    return bytes;
 }
 
 }  // namespace brandung

@@ -16,7 +16,7 @@ Device select_device(const SceneOptions &options, std::function<void(const std::
 double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 Job::Job(const Scene &scene, const SceneOptions &options, std::function<bool(const RenderProgress &)> on_progress,
-         std::function<void(const std::string &)> on_build)
+         std::function<void(const std::string &)> on_build, WatchSteps on_step)
     : scene(scene),
       camera(chosen_camera(scene, options.camera)),
       compiled(timed(seconds.scene, [&] { return compile(scene); })),
@@ -24,7 +24,7 @@ Job::Job(const Scene &scene, const SceneOptions &options, std::function<bool(con
       on_device(timed(seconds.device, [&] { return DeviceScene(device, compiled); })),
       film(timed(seconds.kernels, [&] { return Film(device, scene.film.width, scene.film.height); })),
       renderer(timed(seconds.kernels, [&] {
-          return Renderer(device, scene, compiled, on_device, camera, {options.batch, std::move(on_progress)});
+          return Renderer(device, scene, compiled, on_device, camera, {options.batch, std::move(on_progress), std::move(on_step)});
       })) {
     seconds.accelerator = compiled.accelerator_seconds;
     seconds.scene -= seconds.accelerator;

@@ -13,14 +13,11 @@ std::string duration(double seconds) {
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-/// The speed is that since `first`, which is nothing or the end of the first batch: until then kernels are compiled.
-std::string line_for(const RenderProgress &first, const RenderProgress &progress) {
+std::string line_for(const Pace &pace, const RenderProgress &progress) {
     const double part = static_cast<double>(progress.samples_done) / static_cast<double>(progress.samples_total);
     const std::string done(static_cast<std::size_t>(part * bar_width), '#'), bar = fmt::format("[{:<30}] {:3.0f} %", done, 100 * part);
-    const double samples = static_cast<double>(progress.samples_done - first.samples_done), seconds = progress.seconds - first.seconds;
-    if (!(samples > 0 && seconds > 0)) return bar;
-    const double left = static_cast<double>(progress.samples_total - progress.samples_done) * seconds / samples;
-    return fmt::format("{}  {:.2f} M samples/s  {} left", bar, samples * 1e-6 / seconds, duration(left));
+    const auto speed = pace.samples_per_second(), left = pace.seconds_left();
+    return speed ? fmt::format("{}  {:.2f} M samples/s  {} left", bar, *speed * 1e-6, duration(*left)) : bar;
 }
 
 }  // namespace
@@ -37,10 +34,10 @@ void ProgressLine::say(const std::string &what) {
 void ProgressLine::show(const RenderProgress &progress) {
     const auto now = std::chrono::steady_clock::now();
     const bool last = progress.samples_done == progress.samples_total;
-    if (first_.samples_done == 0 && !last) first_ = progress;
+    pace_.add(progress);
     if (quiet_ || (!last && now - shown_ < std::chrono::milliseconds(terminal_ ? 100 : 5000))) return;
     shown_ = now;
-    fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line_for(first_, progress), terminal_ ? "" : "\n");
+    fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line_for(pace_, progress), terminal_ ? "" : "\n");
     std::fflush(stderr);
 }
 

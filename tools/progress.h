@@ -3,7 +3,7 @@
 #include <chrono>
 #include <string>
 
-#include "runtime/renderer.h"
+#include "tools/pace.h"
 
 namespace brandung {
 
@@ -18,7 +18,7 @@ public:
 
 private:
     bool quiet_, terminal_;
-    RenderProgress first_{};  ///< after the first batch
+    Pace pace_;
     std::chrono::steady_clock::time_point shown_;
 };
 

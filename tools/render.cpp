@@ -6,6 +6,7 @@
 #include <atomic>
 #include <csignal>
 #include <filesystem>
+#include <limits>
 #include <set>
 
 #include "brandung_version.h"
@@ -14,6 +15,7 @@
 #include "scene/output.h"
 #include "scene/scene_hash.h"
 #include "tools/commands.h"
+#include "tools/preview/preview.h"
 #include "tools/progress.h"
 #include "tools/report.h"
 #include "tools/standard_output.h"
@@ -34,7 +36,8 @@ void handle_interruptions() {
 
 struct Options : SceneOptions {
     std::string stats;
-    std::vector<std::string> outputs;
+    std::vector<std::string> outputs, previews;
+    std::string preview_hold;
     bool explain = false, quiet = false;
 };
 
@@ -54,6 +57,24 @@ void check_distinct(const Options &options) {
     };
     for (const std::string &output : options.outputs) check("--output", output);
     if (!options.stats.empty()) check("--stats", options.stats);
+}
+
+std::vector<PreviewTarget> preview_targets(const Options &options) {
+    std::vector<PreviewTarget> targets;
+    for (const std::string &preview : options.previews) targets.push_back(read_preview_target(preview));
+    return targets;
+}
+
+/// Nothing where nothing is said.
+std::optional<double> hold_seconds(const Options &options) {
+    const std::string &text = options.preview_hold;
+    if (text.empty()) return std::nullopt;
+    if (std::none_of(options.previews.begin(), options.previews.end(), [](const std::string &preview) { return preview.starts_with("web"); }))
+        throw CLI::ValidationError("--preview-hold", "there is no --preview web");
+    double seconds = std::numeric_limits<double>::infinity();
+    if (text != "forever" && !(CLI::detail::lexical_cast(text, seconds) && seconds >= 0))
+        throw CLI::ValidationError("--preview-hold", "expected seconds or forever, got '" + text + "'");
+    return seconds;
 }
 
 void check_outputs(const Options &options, const FilmSettings &film) {
@@ -87,6 +108,13 @@ void print_plan(const Job &job) {
     fmt::print(stderr, "{}: {} x {}, {} spp on {}; memory: scene {:.1f} MiB, {}film {:.1f} MiB, waves at most {:.1f} MiB\n", job.scene.file, film.width,
                film.height, film.spp, job.device.info().name, mebibytes(job.on_device.bytes()), textures, mebibytes(job.film.bytes()),
                mebibytes(job.renderer.wave_bytes()));
+}
+
+void print_faults(Preview &preview, ProgressLine &progress) {
+    for (const std::string &fault : preview.take_faults()) {
+        progress.clear();
+        fmt::print(stderr, "warning: {}\n", fault);
+    }
 }
 
 std::string samples_taken(const RenderEnd &end) { return fmt::format("{} of {} samples", end.samples_done, end.samples_total); }
@@ -130,16 +158,29 @@ void print_losses(const Job &job) {
 int render(const Options &options) {
     const double start = seconds_now();
     check_distinct(options);
+    const std::vector<PreviewTarget> targets = preview_targets(options);
+    const std::optional<double> hold = hold_seconds(options);
     double read_seconds = 0;
     const Scene scene = timed(read_seconds, [&] { return read_scene(options); });
     check_outputs(options, scene.film);
 
+    Preview preview(targets, scene, options.outputs.front(), options.batch);
+    for (const std::string &url : preview.urls()) fmt::print(stderr, "preview: {}\n", url);
+
     ProgressLine progress(options.quiet);
+    const auto say = [&](const std::string &what) { progress.say(what), preview.say(what); };
+    Job *rendering = nullptr;
     const auto on_progress = [&](const RenderProgress &done) {
         progress.show(done);
+        preview.after_batch(done, *rendering);
+        print_faults(preview, progress);
         return !interrupted;
     };
-    Job job(scene, options, on_progress, [&](const std::string &file) { progress.say("building " + file); });
+    const WatchSteps on_step = preview.active() ? [&](const WaveStep &step) { preview.add_step(step); } : WatchSteps();
+    Job job(
+        scene, options, on_progress, [&](const std::string &file) { say("building " + file); }, on_step);
+    rendering = &job;
+    preview.begin(job);
     progress.clear();
     print_warnings(job.compiled.warnings);
     check_memory(job);
@@ -147,11 +188,12 @@ int render(const Options &options) {
     if (options.explain) print_result(explain(features(job)));
     handle_interruptions();
     if (!options.quiet) print_plan(job);
-    progress.say("first batch: what the kernel cache does not have is compiled");
+    say("first batch: what the kernel cache does not have is compiled");
 
     PhaseSeconds seconds = job.seconds;
     seconds.read = read_seconds;
     const RenderEnd end = timed(seconds.render, [&] { return job.renderer.render(job.film); });
+    preview.finish(end, job);
     progress.clear();
 
     double write_seconds = 0;
@@ -160,6 +202,8 @@ int render(const Options &options) {
     seconds.total = seconds_now() - start;
     if (!options.stats.empty()) write_text(options.stats, statistics(job, seconds, end).dump(2) + "\n");
     print_losses(job);
+    preview.hold(end.complete ? hold : std::nullopt, [&] { return end.complete && interrupted; });
+    print_faults(preview, progress);
     if (!end.failure.empty()) throw Error(end.failure + "; the picture so far has been written: " + samples_taken(end));
     if (!end.complete) fmt::print(stderr, "interrupted: {}; pixels not reached are black\n", samples_taken(end));
     return end.complete ? 0 : interrupted_status;
@@ -176,6 +220,14 @@ void add_render(CLI::App &app, int &status) {
         ->expected(1)
         ->take_all();
     command->add_option("--stats", options->stats, "write everything counted and timed to this JSON file");
+    command
+        ->add_option("--preview", options->previews,
+                     "show the growing picture: tev[:HOST:PORT] in the viewer tev (default 127.0.0.1:14158), web[:PORT] on a page for browsers on "
+                     "this machine (default 8080, 0 for any free port); several allowed")
+        ->expected(1)
+        ->take_all();
+    command->add_option("--preview-hold", options->preview_hold,
+                        "seconds that the page stays after the render, or forever, until Ctrl-C (default: 2 if it is open somewhere, else 0)");
     command->add_flag("--explain", options->explain, "print what the scene needs and what was skipped");
     command->add_flag("--quiet", options->quiet, "no progress");
     command->callback([options, &status] { status = render(*options); });

@@ -49,6 +49,16 @@ std::vector<Skipped> all_skipped(const Job &job) {
     return skipped;
 }
 
+json phases(const PhaseSeconds &seconds) {
+    json phases = {{"read", seconds.read},     {"scene", seconds.scene},     {"accelerator", seconds.accelerator},
+                   {"device", seconds.device}, {"kernels", seconds.kernels}, {"render", seconds.render}};
+    if (seconds.write) phases["write"] = *seconds.write;
+    if (seconds.total) phases["total"] = *seconds.total;
+    return phases;
+}
+
+}  // namespace
+
 json ray_statistics(const RayCounts &counts) {
     const char *names[RAY_KINDS] = {"camera", "reflected", "refracted", "shadow"};
     json rays;
@@ -66,16 +76,6 @@ json kernel_statistics(const Profile &profile) {
         kernels.push_back({{"name", name}, {"launches", kernel.launches}, {"items", kernel.items}, {"milliseconds", kernel.milliseconds}});
     return kernels;
 }
-
-json phases(const PhaseSeconds &seconds) {
-    json phases = {{"read", seconds.read},     {"scene", seconds.scene},     {"accelerator", seconds.accelerator},
-                   {"device", seconds.device}, {"kernels", seconds.kernels}, {"render", seconds.render}};
-    if (seconds.write) phases["write"] = *seconds.write;
-    if (seconds.total) phases["total"] = *seconds.total;
-    return phases;
-}
-
-}  // namespace
 
 json scene_contents(const Scene &scene, const CompiledScene &compiled) {
     json contents = {{"primitives", compiled.primitive_count},

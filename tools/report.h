@@ -9,6 +9,10 @@ namespace brandung {
 /// {"primitives": 12, "triangles": 8, "lights": 1, "materials": 2, "cameras": 1, "kinds": {"sphere": 4, "triangle": 8},
 /// "light_kinds": {"point": 1}}: what is in the scene.
 nlohmann::json scene_contents(const Scene &scene, const CompiledScene &compiled);
+/// {"camera": 12, "camera_hits": 8, ..., "total": 40}: rays, and the hits of each kind.
+nlohmann::json ray_statistics(const RayCounts &counts);
+/// [{"name": text, "launches": ..., "items": ..., "milliseconds": ...}, ...]
+nlohmann::json kernel_statistics(const Profile &profile);
 /// {"used": [text, ...], "skipped": [{"name": text, "why": text}, ...], "not_shown": [the same]}: what the scene needs, what was
 /// skipped and why, and what light the integrator leaves out.
 nlohmann::json features(const Job &job);

@@ -8,6 +8,7 @@
 #include "runtime/wavefront/device_scene.h"
 #include "runtime/wavefront/filter.h"
 #include "runtime/wavefront/ray_counter.h"
+#include "runtime/wavefront/wave_step.h"
 
 namespace brandung {
 
@@ -45,6 +46,7 @@ struct IntegratorJob {
     const DeviceScene &on_device;
     const Filter &filter;  ///< must live as long as the integrator
     uint batch;            ///< rays per wave
+    const WatchSteps &on_step;
 };
 struct IntegratorKind {
     const char *name;

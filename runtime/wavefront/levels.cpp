@@ -10,7 +10,7 @@ constexpr uint worthwhile_launch = 16384;
 
 }  // namespace
 
-Levels::Levels(Device &device, uint batch, uint branching, uint generations, uint interior_size)
+Levels::Levels(Device &device, uint batch, uint branching, uint generations, uint interior_size, WatchSteps on_step)
     : device_(device),
       batch_(batch),
       capacity_(std::max(batch, branching)),
@@ -18,7 +18,8 @@ Levels::Levels(Device &device, uint batch, uint branching, uint generations, uin
       generations_(generations),
       interior_size_(interior_size),
       full_launch_(std::min(batch, worthwhile_launch)),
-      level_bytes_(capacity_ * (sizeof(Ray) + sizeof(Path) + sizeof(uint) * (1 + interior_size))) {}
+      level_bytes_(capacity_ * (sizeof(Ray) + sizeof(Path) + sizeof(uint) * (1 + interior_size))),
+      on_step_(std::move(on_step)) {}
 
 Level &Levels::level(uint generation) {
     while (levels_.size() <= generation) levels_.emplace_back(device_, capacity_, interior_size_);
@@ -41,7 +42,8 @@ uint Levels::room(uint generation) {
     return std::min({waiting, batch_, free / branching_});
 }
 
-std::optional<Wave> Levels::next() {
+/// The generation that the next wave is taken from, `generations_` if nothing waits.
+uint Levels::choose() {
     uint chosen = generations_;
     for (uint generation = static_cast<uint>(levels_.size()); generation-- > 0;) {
         Level &here = levels_[generation];
@@ -50,9 +52,20 @@ std::optional<Wave> Levels::next() {
         chosen = generation;
         if (room(generation) >= full_launch_) break;
     }
-    if (chosen == generations_) return std::nullopt;
+    return chosen;
+}
+
+void Levels::tell_step(uint generation, uint count) const {
+    WaveStep step{generation, count, {}};
+    for (const Level &level : levels_) step.waiting.push_back(level.end - level.first);
+    on_step_(step);
+}
+
+std::optional<Wave> Levels::next() {
+    const uint chosen = choose(), count = chosen == generations_ ? 0 : room(chosen);
+    if (on_step_) tell_step(count > 0 ? chosen : 0, count);
+    if (count == 0) return std::nullopt;
     Level &here = levels_[chosen];
-    const uint count = room(chosen);
     Wave wave{here, here.first, count, chosen, nullptr, 0};
     here.first += count;
     if (branching_ > 0 && chosen + 1 < generations_) {

@@ -5,6 +5,7 @@
 
 #include "kernels/core/items.h"
 #include "runtime/opencl/buffer.h"
+#include "runtime/wavefront/wave_step.h"
 
 namespace brandung {
 
@@ -37,8 +38,8 @@ struct Wave {
 class Levels {
 public:
     /// Levels are allocated when first needed, at most `generations` of them, each of max(batch, branching) slots. Waves have at most `batch`
-    /// items.
-    Levels(Device &device, uint batch, uint branching, uint generations, uint interior_size);
+    /// items. `on_step` is told each step, if there is one.
+    Levels(Device &device, uint batch, uint branching, uint generations, uint interior_size, WatchSteps on_step = {});
 
     /// Forgets everything, and allocates the first level if there is none yet, as `next` does; the caller fills the first `count` slots of the result
     /// and its live list.
@@ -54,10 +55,13 @@ public:
 private:
     Level &level(uint generation);
     uint room(uint generation);
+    uint choose();
+    void tell_step(uint generation, uint count) const;
 
     Device &device_;
     uint batch_, capacity_, branching_, generations_, interior_size_, full_launch_;
     std::size_t level_bytes_;
+    WatchSteps on_step_;
     std::deque<Level> levels_;
 };
 

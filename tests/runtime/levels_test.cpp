@@ -140,6 +140,23 @@ TEST(Levels, LaunchesAreFullAsLongAsTheyCanBe) {
     EXPECT_LE(play.waves(), 60u);
 }
 
+/// A binary tree of depth 3 over 4 rays, in levels of 4 slots: a wave takes two rays at most, except from the last level.
+TEST(Levels, EachStepIsToldToThoseWhoAsk) {
+    std::vector<WaveStep> steps;
+    Levels levels(test_device(), 4, 2, 3, 0, [&](const WaveStep &step) { steps.push_back(step); });
+    levels.start(4);
+    while (const auto wave = levels.next())
+        if (wave->children) levels.add_children(*wave, 2 * wave->count);
+
+    using Waiting = std::vector<uint>;
+    const std::vector<std::tuple<uint, uint, Waiting>> expected = {{0, 2, {4}},       {1, 2, {2, 4}},    {2, 4, {2, 2, 4}}, {1, 2, {2, 2, 0}},
+                                                                   {2, 4, {2, 0, 4}}, {0, 2, {2, 0, 0}}, {1, 2, {0, 4, 0}}, {2, 4, {0, 2, 4}},
+                                                                   {1, 2, {0, 2, 0}}, {2, 4, {0, 0, 4}}, {0, 0, {0, 0, 0}}};
+    ASSERT_EQ(steps.size(), expected.size());
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        EXPECT_EQ(std::tuple(steps[i].generation, steps[i].count, steps[i].waiting), expected[i]) << "step " << i;
+}
+
 TEST(Levels, TheyCanBeStartedAgain) {
     const Case c{.batch = 64, .branching = 2, .generations = 3, .survival = Survival::half, .start = 64};
     Levels levels(test_device(), c.batch, c.branching, c.generations, 1);

@@ -1,0 +1,82 @@
+/// The page of a preview in a real browser, where one is installed.
+#include <gtest/gtest.h>
+#include <httplib.h>
+
+#include <csignal>
+#include <cstdio>
+#include <regex>
+
+#include "tests/tools/program.h"
+
+namespace {
+
+std::string output_of(const std::string &command) {
+    FILE *const pipe = popen(command.c_str(), "r");
+    std::string text;
+    char part[4096];
+    for (std::size_t got = 0; (got = fread(part, 1, sizeof part, pipe)) > 0;) text.append(part, got);
+    pclose(pipe);
+    return text;
+}
+
+/// The page as it is after so many milliseconds by its own clock, which stands still while it loads something.
+std::string page_after(const std::string &url, int milliseconds, const std::string &profile) {
+    return output_of("timeout 60 chromium --headless --no-sandbox --disable-gpu --user-data-dir='" + profile +
+                     "' --virtual-time-budget=" + std::to_string(milliseconds) + " --dump-dom " + url + " 2>/dev/null");
+}
+
+std::string text_of(const std::string &page, const std::string &id) {
+    std::smatch found;
+    return std::regex_search(page, found, std::regex("id=\"" + id + "\"[^>]*>([^<]*)<")) ? found[1].str() : "";
+}
+
+/// "12&nbsp;%" as 12; -1 if there is no number.
+double number_of(const std::string &text) {
+    const char *const begin = text.c_str();
+    char *end = nullptr;
+    const double number = std::strtod(begin, &end);
+    return end == begin ? -1 : number;
+}
+
+TEST(Browser, ShowsARenderThatGrows) {
+    if (output_of("command -v chromium").empty()) GTEST_SKIP() << "chromium is not installed";
+    const TemporaryFolder folder;
+    std::string early, late;
+    const auto look = [&](const std::string &err) {
+        const std::size_t place = err.find("http://"), end = err.find("/\n", place);
+        if (end == err.npos) return 0;
+        const std::string url = err.substr(place, end - place);
+        const auto state = httplib::Client(url).Get("/state.json");
+        if (!state || state->body.find("\"phase\":\"rendering\"") == std::string::npos) return 0;  // kernels are compiled first
+        std::string &page = early.empty() ? early : late;
+        page = page_after(url, 2500, folder.path("profile"));
+        return late.empty() ? 0 : SIGINT;
+    };
+    // More samples than can be rendered before the browser has looked twice; one thread leaves it the other.
+    run_program({"render", BRANDUNG_SOURCE_DIR "/scene/examples/whitted_1980.json", "--spp", "100000", "--threads", "1", "--quiet", "--preview",
+                 "web:0", "-o", folder.path("out.png")},
+                {.seconds = 200, .signal_when = look});
+
+    for (const std::string &page : {early, late}) {
+        EXPECT_EQ(text_of(page, "phase"), "rendering");
+        EXPECT_NE(text_of(page, "scene").find("whitted_1980.json"), std::string::npos);
+        EXPECT_NE(page.find("whitted_1980.json – brandung</title>"), std::string::npos);
+        EXPECT_NE(text_of(page, "about").find("640 × 480 pixels · 100000 samples per pixel"), std::string::npos) << text_of(page, "about");
+        EXPECT_TRUE(std::regex_search(page, std::regex("<img id=\"picture\"[^>]*src=\"blob:[^>]*>"))) << "the picture has been loaded";
+        EXPECT_FALSE(std::regex_search(page, std::regex("<img id=\"picture\"[^>]*hidden"))) << "and is shown";
+        EXPECT_TRUE(std::regex_search(page, std::regex("<canvas id=\"queues\"[^>]*aria-label=\"Most rays waiting[^\"]*generation 1, [1-9]")));
+        for (const char *row : {"refracted", "trace_shadow_rays", "shade_whitted"})
+            EXPECT_NE(page.find(">" + std::string(row) + "</th>"), std::string::npos) << row;
+    }
+    EXPECT_GT(number_of(text_of(early, "seconds")), 0);
+    for (const char *id : {"samples-speed", "rays-speed"}) EXPECT_GT(number_of(text_of(late, id)), 0) << id << ": " << text_of(late, id);
+    const auto value_of_bar = [](const std::string &page) {
+        std::smatch found;
+        return std::regex_search(page, found, std::regex("<progress[^>]*value=\"([^\"]*)\"")) ? std::stod(found[1]) : -1;
+    };
+    EXPECT_GT(value_of_bar(early), 0);
+    EXPECT_GT(value_of_bar(late), value_of_bar(early));
+    EXPECT_LT(value_of_bar(late), 1);
+}
+
+}  // namespace
