@@ -18,6 +18,12 @@ struct RenderOptions {
     std::function<bool(const RenderProgress &)> on_progress;
 };
 
+/// Looks at the film of a render under way, between two batches.
+struct Observer {
+    double seconds = 0;  ///< that pass at least from the beginning, or from the end of one call, to the next call
+    std::function<void(const RenderProgress &)> observe;
+};
+
 /// How a render ended; the film has the samples of whole batches.
 struct RenderEnd {
     bool complete = false;  ///< all samples are in the film
@@ -32,7 +38,8 @@ public:
     Renderer(Device &device, const Scene &scene, const CompiledScene &compiled, const DeviceScene &on_device, const CameraDescription &camera,
              RenderOptions options);
     /// Renders all samples into the film. Throws Error if the first batch fails; if a later one does, what there is so far is kept.
-    RenderEnd render(Film &film);
+    /// What the observer throws ends it.
+    RenderEnd render(Film &film, const Observer &observer = {});
 
     const Integrator &integrator() const { return *integrator_; }
     const Filter &filter() const { return filter_; }
@@ -40,7 +47,7 @@ public:
     std::size_t wave_bytes() const;
 
 private:
-    bool render_batches(Film &film, RenderProgress &progress);
+    bool render_batches(Film &film, RenderProgress &progress, const Observer &observer);
 
     Device &device_;
     const FilmSettings film_settings_;

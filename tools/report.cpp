@@ -114,12 +114,14 @@ json memory(const Job &job) {
 json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &end) {
     const FilmSettings &film = job.scene.film;
     const Integrator &integrator = job.renderer.integrator();
+    const Window window = film.window();
     return {{"scene", scene_contents(job.scene, job.compiled)},
             {"device", job.device.info().name},
             {"integrator", job.scene.integrator.type},
             {"accelerator", job.compiled.accelerator},
             {"width", film.width},
             {"height", film.height},
+            {"window", {window.left, window.top, window.right, window.bottom}},
             {"spp", film.spp},
             {"seed", film.seed},
             {"interrupted", !end.complete},

@@ -11,7 +11,7 @@ kernel void add_samples(BatchParams batch, FilmBand band, const global uint *res
     FOR_EACH_ITEM_SERIALLY(i, batch.pixels) {
         const uint row = (pixels[i] >> 16) - band.first_row;  // above the band it wraps around
         if (row >= band.rows) continue;
-        global FilmPixel *pixel = film + row * band.width + (pixels[i] & 0xffffu);
+        global FilmPixel *pixel = film + row * band.width + ((pixels[i] & 0xffffu) - band.first_column);
         for (uint j = 0u; j < batch.samples; ++j) {
             const uint half_of_sample = batch.first_sample + j & 1u;
             bool too_bright = false;

@@ -74,7 +74,7 @@ const Layouts &host_layouts() {
         RECORD(Camera, position, corner, right, down, width, height),
         RECORD(BatchParams, pixels, first_sample, samples, spp, columns, rows, seed, position),
         RECORD(FilterParams, radius, negative_tail, weight),
-        RECORD(FilmBand, first_row, rows, width),
+        RECORD(FilmBand, first_row, rows, first_column, width),
         RECORD(WhittedParams, max_depth, threshold),
         RECORD(Span, offset, count),
         RECORD(ShadingRecord, kind, material, words),
