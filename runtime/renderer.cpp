@@ -94,10 +94,10 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
 
 std::size_t Renderer::wave_bytes() const { return integrator_->wave_bytes() + filter_.bytes() + pixels_.bytes() + samples_.bytes(); }
 
-RenderEnd Renderer::render(Film &film, const Observer &observer) {
+RenderEnd Renderer::render(Film &film, const Observer &observer, Aovs *aovs) {
     RenderProgress progress{0, film.window().pixels() * film_settings_.spp, 0};
     try {
-        const bool complete = render_batches(film, progress, observer);
+        const bool complete = render_batches(film, progress, observer, aovs);
         return {complete, "", progress.samples_done, progress.samples_total};
     } catch (const Error &error) {
         if (progress.samples_done == 0) throw;
@@ -106,7 +106,7 @@ RenderEnd Renderer::render(Film &film, const Observer &observer) {
 }
 
 /// False if stopped before the end.
-bool Renderer::render_batches(Film &film, RenderProgress &progress, const Observer &observer) {
+bool Renderer::render_batches(Film &film, RenderProgress &progress, const Observer &observer, Aovs *aovs) {
     const auto start = std::chrono::steady_clock::now();
     const auto seconds = [start] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
     double observed = 0;
@@ -119,10 +119,11 @@ bool Renderer::render_batches(Film &film, RenderProgress &progress, const Observ
             params.pixels = static_cast<uint>(pixels.size());
             params.first_sample = first;
             params.samples = std::min(samples_per_batch_, spp - first);
-            const Batch batch{params, pixels_, camera_, interior_};
+            const Batch batch{params, pixels_, camera_, interior_, aovs};
             integrator_->render(batch, samples_);
             filter_.weigh(batch, samples_);
             film.add(batch, samples_);
+            if (aovs) aovs->add(batch);
             device_.finish();
             progress.samples_done += batch.count();
             progress.seconds = seconds();

@@ -9,6 +9,13 @@
 
 namespace brandung {
 
+/// A number per pixel beside radiance: floats, or else whole numbers.
+struct PictureChannel {
+    std::string name;
+    std::vector<float> floats;
+    std::vector<uint> numbers;
+};
+
 /// Linear radiance, row by row from the top.
 struct Picture {
     uint width = 0, height = 0;
@@ -16,6 +23,7 @@ struct Picture {
     std::map<std::string, std::string> metadata;
     uint left = 0, top = 0;                  ///< its place in the whole picture of which it is a window
     uint whole_width = 0, whole_height = 0;  ///< of that; 0 if it is whole itself
+    std::vector<PictureChannel> channels = {};
 };
 
 /// How a file's numbers stand for linear light.
@@ -49,8 +57,11 @@ void check_picture_writable(const std::string &file, uint width, uint height, co
 bool stores_metadata(const std::string &file);
 /// What the file's format can store, its own choice first.
 std::vector<Bits> bits_of_format(const std::string &file);
+/// Whether the file can have channels beside red, green and blue.
+bool stores_channels(const std::string &file);
 bool is_jpeg(const std::string &file);
-/// Floats are stored as they are, integers through exposure and tone curve. Only EXR has a place in a whole picture. The file appears under its name
+/// Floats are stored as they are, integers through exposure and tone curve. Only EXR has a place in a whole picture, and
+/// further channels, which have 32 bits. The file appears under its name
 /// only when it is complete. Throws SceneError.
 void write_picture(const std::string &file, const Picture &picture, const PictureStyle &style = {});
 

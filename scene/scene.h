@@ -28,6 +28,7 @@ struct FilmSettings {
     uint pixel = PIXEL_CENTER;
     uint filter = 0;                  ///< its place in filter_kinds()
     float filter_radius = 0.5f;       ///< [pixels]
+    std::vector<uint> aovs;           ///< beside radiance: places in aov_kinds(), in order
     std::optional<Window> crop;       ///< the part to render, if not all
     float exposure = 0;               ///< of pictures of integers [EV]
     bool automatic_exposure = false;  ///< instead

@@ -1,4 +1,5 @@
 /// Writing pictures.
+#include <OpenImageIO/half.h>
 #include <OpenImageIO/imageio.h>
 #include <fcntl.h>
 #include <unistd.h>
@@ -7,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <span>
 
 #include "scene/error.h"
 #include "scene/image.h"
@@ -86,6 +88,8 @@ SceneError cannot_write(const std::string &file, const std::string &why) {
     return SceneError(file + ": cannot write the picture: " + (why.empty() ? "the disk may be full" : why));
 }
 
+bool is_exr(const OIIO::ImageOutput &output) { return output.format_name() == std::string("openexr"); }
+
 /// A file under a temporary name that takes a picture's pixels; errors name the one that it is going to be.
 class PictureFile {
 public:
@@ -96,11 +100,14 @@ public:
         spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
         spec.attribute("compression", jpeg ? "jpeg:" + std::to_string(style.quality) : "zip");
         for (const auto &[name, value] : picture.metadata) spec.attribute(name, value);
-        if (output_->format_name() == std::string("openexr") && picture.whole_width > 0) set_place(picture, spec);
+        if (is_exr(*output_) && picture.whole_width > 0) set_place(picture, spec);
+        if (is_exr(*output_)) add_channels(picture, spec);
         if (!output_->open(temporary, spec)) throw cannot_write(file_, output_->geterror());
     }
 
-    void write(const std::vector<vec3> &pixels, const PictureStyle &style) {
+    void write(const Picture &picture, const PictureStyle &style) {
+        const std::vector<vec3> &pixels = picture.pixels;
+        if (is_exr(*output_) && !picture.channels.empty()) return finish(output_->write_image(OIIO::TypeDesc::UNKNOWN, packed(picture).data()));
         if (floats()) return finish(output_->write_image(OIIO::TypeDesc::FLOAT, pixels.data()));
         if (bits_ == Bits::eight) return finish(output_->write_image(OIIO::TypeDesc::UINT8, integers<std::uint8_t>(pixels, style).data()));
         finish(output_->write_image(OIIO::TypeDesc::UINT16, integers<std::uint16_t>(pixels, style).data()));
@@ -108,6 +115,32 @@ public:
 
 private:
     bool floats() const { return bits_ == Bits::half || bits_ == Bits::single; }
+
+    static void add_channels(const Picture &picture, OIIO::ImageSpec &spec) {
+        spec.channelformats.assign(3, spec.format);
+        for (const PictureChannel &channel : picture.channels) {
+            spec.channelnames.push_back(channel.name);
+            spec.channelformats.push_back(channel.numbers.empty() ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT);
+        }
+        spec.nchannels = static_cast<int>(spec.channelnames.size());
+    }
+
+    /// All channels of a pixel, then those of the next, as the file stores them.
+    std::vector<std::byte> packed(const Picture &picture) const {
+        std::vector<std::byte> bytes;
+        const auto add = [&](auto value) {
+            const auto part = std::as_bytes(std::span(&value, 1));
+            bytes.insert(bytes.end(), part.begin(), part.end());
+        };
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+            for (int c = 0; c < 3; ++c) {
+                const float value = picture.pixels[i][c];
+                bits_ == Bits::half ? add(half(value)) : add(value);
+            }
+            for (const PictureChannel &channel : picture.channels) channel.numbers.empty() ? add(channel.floats[i]) : add(channel.numbers[i]);
+        }
+        return bytes;
+    }
 
     static void set_place(const Picture &picture, OIIO::ImageSpec &spec) {
         spec.x = static_cast<int>(picture.left), spec.y = static_cast<int>(picture.top);
@@ -162,10 +195,12 @@ bool stores_metadata(const std::string &file) {
 
 std::vector<Bits> bits_of_format(const std::string &file) { return bits_of(*output_for(file)); }
 
+bool stores_channels(const std::string &file) { return is_exr(*output_for(file)); }
+
 bool is_jpeg(const std::string &file) { return output_for(file)->format_name() == std::string("jpeg"); }
 
 void write_picture(const std::string &file, const Picture &picture, const PictureStyle &style) {
-    write_complete(file, [&](const std::string &temporary) { PictureFile(file, temporary, picture, style).write(picture.pixels, style); });
+    write_complete(file, [&](const std::string &temporary) { PictureFile(file, temporary, picture, style).write(picture, style); });
 }
 
 }  // namespace brandung

@@ -82,6 +82,8 @@ void check_outputs(const OutputOptions &options, const FilmSettings &film) {
     const PictureStyle style = style_of(options, film);
     for (const std::string &file : options.files) check_picture_writable(file, film.window().width(), film.window().height(), style);
     check_bits(options, style);
+    if (!film.aovs.empty() && std::none_of(options.files.begin(), options.files.end(), stores_channels))
+        throw CLI::ValidationError("--aov", "no output is an EXR, which alone has channels for AOVs");
     if (options.quality && std::none_of(options.files.begin(), options.files.end(), is_jpeg))
         throw CLI::ValidationError("--quality", "no output is a JPEG");
 }
@@ -92,6 +94,7 @@ float write_outputs(const OutputOptions &options, Job &job, const PhaseSeconds &
     PictureStyle style = style_of(options, film);
     Picture picture{window.width(), window.height(), job.film.develop(), {}};
     if (film.crop) picture.left = window.left, picture.top = window.top, picture.whole_width = film.width, picture.whole_height = film.height;
+    if (job.aovs) picture.channels = job.aovs->develop(job.film);
     if (film.automatic_exposure) style.exposure = automatic_exposure(picture.pixels);
     if (std::any_of(options.files.begin(), options.files.end(), stores_metadata))
         picture.metadata = metadata(job, seconds, end, running, style.exposure);

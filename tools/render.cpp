@@ -62,7 +62,7 @@ void check_memory(const Job &job) {
         throw Error(
             fmt::format("{}: rendering takes up to {:.1f} MiB (scene {:.1f}, textures {:.1f}, film {:.1f}, waves {:.1f}), but '{}' has {:.1f} MiB",
                         job.scene.file, mebibytes(job.bytes()), mebibytes(job.on_device.bytes()), mebibytes(job.on_device.texture_bytes()),
-                        mebibytes(job.film.bytes()), mebibytes(job.renderer.wave_bytes()), device.name, mebibytes(device.memory)));
+                        mebibytes(job.film_bytes()), mebibytes(job.renderer.wave_bytes()), device.name, mebibytes(device.memory)));
 }
 
 void print_warnings(const std::map<std::string, uint> &warnings) {
@@ -80,12 +80,9 @@ void print_plan(const Job &job) {
     const std::size_t texture_bytes = job.on_device.texture_bytes();
     const std::string textures = texture_bytes == 0 ? "" : fmt::format("textures {:.1f} MiB, ", mebibytes(texture_bytes));
     const std::string part = film.crop ? fmt::format(" (from {}, {} on, of {} x {})", window.left, window.top, film.width, film.height) : "";
-    fmt::print(stderr,
-               "{}: {} x {}{}, {} spp on {}; memory: scene {:.1f} MiB, {}film {:.1f} MiB, waves at most {:.1f} MiB
-               ", job.scene.file,
-               window.width(),
-               window.height(), part, film.spp, job.device.info().name, mebibytes(job.on_device.bytes()), textures, mebibytes(job.film.bytes()),
-               mebibytes(job.renderer.wave_bytes()));
+    fmt::print(stderr, "{}: {} x {}{}, {} spp on {}; memory: scene {:.1f} MiB, {}film {:.1f} MiB, waves at most {:.1f} MiB\n", job.scene.file,
+               window.width(), window.height(), part, film.spp, job.device.info().name, mebibytes(job.on_device.bytes()), textures,
+               mebibytes(job.film_bytes()), mebibytes(job.renderer.wave_bytes()));
 }
 
 /// Writes the pictures so far now and then; where that fails the render goes on.
@@ -136,7 +133,8 @@ int render(const Options &options) {
 
     PhaseSeconds seconds = job.seconds;
     seconds.read = read_seconds;
-    const RenderEnd end = timed(seconds.render, [&] { return job.renderer.render(job.film, saving(options, job, seconds, progress)); });
+    const RenderEnd end = timed(
+        seconds.render, [&] { return job.renderer.render(job.film, saving(options, job, seconds, progress), job.aovs ? &*job.aovs : nullptr); });
     progress.clear();
 
     double write_seconds = 0;

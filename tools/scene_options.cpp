@@ -1,5 +1,6 @@
 #include "tools/scene_options.h"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "scene/error.h"
@@ -24,6 +25,7 @@ std::vector<std::string> assignments(const SceneOptions &options) {
     if (options.seed) add("film.seed", std::to_string(*options.seed));
     if (!options.pixel.empty()) add("film.pixel", options.pixel);
     if (!options.crop.empty()) add("film.crop", "[" + options.crop + "]");
+    if (!options.aovs.empty()) add("film.aovs", "[\"" + fmt::format("{}", fmt::join(options.aovs, "\",\"")) + "\"]");
     if (!options.exposure.empty()) add("film.exposure", options.exposure);
     if (!options.tone.empty()) add("film.tone", options.tone);
     if (!options.filter.empty()) add("film.filter", options.filter);
@@ -46,6 +48,12 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
     command.add_option("--seed", options.seed, "seed of random numbers")->check(CLI::Range(0u, 0xffffffffu));
     command.add_option("--pixel", options.pixel, "where a single sample lies: corner, center or random");
     command.add_option("--filter", options.filter, "how samples count in their pixel: box, tent, gaussian, mitchell or blackman_harris");
+    command
+        .add_option("--aov", options.aovs,
+                    "further channels of EXR: normal, albedo, depth, position, primitive, samples or all; several as normal,albedo")
+        ->delimiter(',')
+        ->expected(1)
+        ->take_all();
     command.add_option("--exposure", options.exposure,
                        "of pictures of integers in EV, or auto: the median luminance of pixels that are not black becomes middle grey");
     command.add_option("--tone", options.tone, "curve of pictures of integers: srgb, filmic or none");

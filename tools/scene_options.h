@@ -11,6 +11,7 @@ namespace brandung {
 
 struct SceneOptions {
     std::string scene, integrator, accelerator, size, crop, pixel, filter, exposure, tone, camera, device;
+    std::vector<std::string> aovs;
     std::vector<std::string> settings;  ///< "KEY=VALUE"
     std::optional<uint> spp, seed, max_depth;
     uint batch = 32768, threads = 0;

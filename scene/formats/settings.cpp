@@ -1,9 +1,11 @@
 /// Settings that every scene format takes: film, integrator, accelerator.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/accelerators/accelerator.h"
+#include "scene/aovs/aov.h"
 #include "scene/filters/filter.h"
 #include "scene/formats/format.h"
 #include "scene/formats/limits.h"
@@ -55,6 +57,18 @@ void read_development(const Parameters &parameters, FilmSettings &film) {
         parameters.fail("exposure", fmt::format("must be from -{0:g} to {0:g} EV, got {1:g}", max_exposure, film.exposure));
 }
 
+void read_aovs(const Parameters &parameters, FilmSettings &film) {
+    const std::vector<std::string> names = parameters.texts("aovs");
+    std::vector<std::string> known = {"all"};
+    for (const AovKind &kind : aov_kinds()) known.emplace_back(kind.name);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (std::find(known.begin(), known.end(), names[i]) == known.end())
+            parameters.fail_element("aovs", i, fmt::format("must be one of {}, got \"{}\"", fmt::join(known, ", "), names[i]));
+    for (uint kind = 0; kind < aov_kinds().size(); ++kind)
+        if (std::any_of(names.begin(), names.end(), [&](const std::string &name) { return name == "all" || name == aov_kinds()[kind].name; }))
+            film.aovs.push_back(kind);
+}
+
 void read_film(const Parameters &parameters, FilmSettings &film) {
     film.width = parameters.integer("width", film.width, 1, max_resolution);
     film.height = parameters.integer("height", film.height, 1, max_resolution);
@@ -63,6 +77,7 @@ void read_film(const Parameters &parameters, FilmSettings &film) {
     film.pixel = parameters.choice("pixel", {"corner", "center", "random"}, film.pixel);
     read_filter(parameters, film);
     if (film.pixel == PIXEL_CORNER && film.spp != 1) parameters.fail("pixel", fmt::format("'corner' takes one sample per pixel, not {}", film.spp));
+    read_aovs(parameters, film);
     read_crop(parameters, film);
     read_development(parameters, film);
     parameters.expect_all_known();

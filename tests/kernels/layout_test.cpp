@@ -71,6 +71,7 @@ const Layouts &host_layouts() {
         RECORD(Sample, sum),
         RECORD(Integer128, low, high),
         RECORD(FilmPixel, sums, squares, counts),
+        RECORD(AovPixel, sums, count, spare),
         RECORD(Camera, position, corner, right, down, width, height),
         RECORD(BatchParams, pixels, first_sample, samples, spp, columns, rows, seed, position),
         RECORD(FilterParams, radius, negative_tail, weight),

@@ -157,6 +157,31 @@ TEST(Outputs, ACropIsADataWindowInExrAndAPictureOfItsSizeElsewhere) {
     EXPECT_EQ(json::parse(read_file(folder.path("stats.json"))).at("window"), (json{10, 5, 22, 15}));
 }
 
+TEST(Outputs, AovsAreChannelsOfTheExr) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.json", native_scene());
+    render({scene, "-o", folder.path("plain.exr")});
+    render({scene, "--aov", "normal,depth,samples", "-o", folder.path("a.exr"), "-o", folder.path("a.png"), "--stats", folder.path("stats.json")});
+    const Read plain = read_picture(folder.path("plain.exr")), picture = read_picture(folder.path("a.exr"));
+    EXPECT_EQ(picture.spec.channelnames, (std::vector<std::string>{"R", "G", "B", "N.X", "N.Y", "N.Z", "depth.Z", "samples"}));
+    EXPECT_EQ(picture.spec.channelformats.back(), OIIO::TypeDesc::UINT);
+    EXPECT_EQ(read_picture(folder.path("a.png")).spec.nchannels, 3);
+    for (std::size_t i = 0; i < 32 * 24; ++i)
+        for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(picture.values[8 * i + c], plain.values[3 * i + c]);
+    // The eye is 4 away from the middle of a sphere of radius 1; the ray passes half a pixel, 0.06 at most, from its pole.
+    const std::size_t middle = 8 * (12 * 32 + 16);
+    EXPECT_NEAR(picture.values[middle + 5], 1, 0.01);
+    EXPECT_NEAR(picture.values[middle + 6], 3, 0.01);
+    EXPECT_TRUE(std::isinf(picture.values[6])) << "nothing is hit";
+    EXPECT_EQ(picture.values[3], 0);
+    const Finished without_exr = run_program({"render", scene, "--aov", "all", "-o", folder.path("b.png")});
+    EXPECT_EQ(without_exr.status, 2);
+    EXPECT_NE(without_exr.err.find("--aov"), std::string::npos) << without_exr.err;
+    const Finished unknown = run_program({"render", scene, "--aov", "colour", "-o", folder.path("b.exr")});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_NE(unknown.err.find("/film/aovs/0"), std::string::npos) << unknown.err;
+}
+
 TEST(Outputs, BitsAndQualityGoToTheFormatsThatHaveThem) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.json", native_scene());

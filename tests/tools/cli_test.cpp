@@ -36,9 +36,9 @@ TEST(Cli, HelpNamesEverySubcommandOnStandardOutput) {
 TEST(Cli, HelpOfRenderNamesEveryOption) {
     const Finished run = run_program({"render", "--help"});
     expect_success(run);
-    for (const char *option : {"--output",     "--integrator", "--accelerator", "--spp",     "--size",     "--seed",    "--pixel", "--camera",
-                               "--max-depth",  "--set",        "--crop",        "--filter",  "--exposure", "--tone",    "--bits",  "--quality",
-                               "--save-every", "--device",     "--batch",       "--threads", "--stats",    "--explain", "--quiet"})
+    for (const char *option : {"--output",    "--integrator", "--accelerator", "--spp",   "--size",    "--seed",     "--pixel",   "--camera",
+                               "--max-depth", "--set",        "--crop",        "--aov",   "--filter",  "--exposure", "--tone",    "--bits",
+                               "--quality",   "--save-every", "--device",      "--batch", "--threads", "--stats",    "--explain", "--quiet"})
         EXPECT_NE(run.out.find(option), std::string::npos) << option;
 }
 
