@@ -13,7 +13,7 @@ namespace {
 /// Samples of one pixel that one batch takes: few, so that an interrupted picture is whole, if noisier, but more where the whole picture is in
 /// every batch anyway.
 uint samples_at_once(const FilmSettings &film, uint batch) {
-    const std::uint64_t few = 16, pixels = std::uint64_t{film.width} * film.height;
+    const std::uint64_t few = 16, pixels = film.window().pixels();
     return static_cast<uint>(std::min<std::uint64_t>({film.spp, batch, std::max(few, batch / pixels)}));
 }
 
@@ -94,10 +94,10 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
 
 std::size_t Renderer::wave_bytes() const { return integrator_->wave_bytes() + filter_.bytes() + pixels_.bytes() + samples_.bytes(); }
 
-RenderEnd Renderer::render(Film &film) {
-    RenderProgress progress{0, std::uint64_t{film.width()} * film.height() * film_settings_.spp, 0};
+RenderEnd Renderer::render(Film &film, const Observer &observer, Aovs *aovs) {
+    RenderProgress progress{0, film.window().pixels() * film_settings_.spp, 0};
     try {
-        const bool complete = render_batches(film, progress);
+        const bool complete = render_batches(film, progress, observer, aovs);
         return {complete, "", progress.samples_done, progress.samples_total};
     } catch (const Error &error) {
         if (progress.samples_done == 0) throw;
@@ -106,25 +106,31 @@ RenderEnd Renderer::render(Film &film) {
 }
 
 /// False if stopped before the end.
-bool Renderer::render_batches(Film &film, RenderProgress &progress) {
+bool Renderer::render_batches(Film &film, RenderProgress &progress, const Observer &observer, Aovs *aovs) {
     const auto start = std::chrono::steady_clock::now();
+    const auto seconds = [start] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+    double observed = 0;
     const uint spp = film_settings_.spp;
     BatchParams params = common_params(film_settings_);
     for (uint first = 0; first < spp; first += samples_per_batch_) {
-        PixelOrder order(film.width(), film.height());
+        PixelOrder order(film.window());
         for (auto pixels = order.next(pixels_.size()); !pixels.empty(); pixels = order.next(pixels_.size())) {
             pixels_.write(pixels);
             params.pixels = static_cast<uint>(pixels.size());
             params.first_sample = first;
             params.samples = std::min(samples_per_batch_, spp - first);
-            const Batch batch{params, pixels_, camera_, interior_};
+            const Batch batch{params, pixels_, camera_, interior_, aovs};
             integrator_->render(batch, samples_);
             filter_.weigh(batch, samples_);
             film.add(batch, samples_);
+            if (aovs) aovs->add(batch);
             device_.finish();
             progress.samples_done += batch.count();
-            progress.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            progress.seconds = seconds();
             if (options_.on_progress && !options_.on_progress(progress)) return progress.samples_done == progress.samples_total;
+            if (!observer.observe || progress.seconds - observed < observer.seconds || progress.samples_done == progress.samples_total) continue;
+            observer.observe(progress);
+            observed = seconds();
         }
     }
     return true;

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "runtime/integrators/integrator.h"
+#include "runtime/wavefront/aovs.h"
 #include "runtime/wavefront/film.h"
 
 namespace brandung {
@@ -19,6 +20,12 @@ struct RenderOptions {
     WatchSteps on_step;  ///< of the integrator's loop
 };
 
+/// Looks at the film of a render under way, between two batches.
+struct Observer {
+    double seconds = 0;  ///< that pass at least from the beginning, or from the end of one call, to the next call
+    std::function<void(const RenderProgress &)> observe;
+};
+
 /// How a render ended; the film has the samples of whole batches.
 struct RenderEnd {
     bool complete = false;  ///< all samples are in the film
@@ -32,8 +39,9 @@ public:
     /// settings that contradict each other, BuildError, and Error where the device cannot hold that much.
     Renderer(Device &device, const Scene &scene, const CompiledScene &compiled, const DeviceScene &on_device, const CameraDescription &camera,
              RenderOptions options);
-    /// Renders all samples into the film. Throws Error if the first batch fails; if a later one does, what there is so far is kept.
-    RenderEnd render(Film &film);
+    /// Renders all samples into the film, and what they hit first into `aovs` if given. Throws Error if the first batch fails; if a later one does,
+    /// what there is so far is kept. What the observer throws ends it.
+    RenderEnd render(Film &film, const Observer &observer = {}, Aovs *aovs = nullptr);
 
     const Integrator &integrator() const { return *integrator_; }
     const Filter &filter() const { return filter_; }
@@ -41,7 +49,7 @@ public:
     std::size_t wave_bytes() const;
 
 private:
-    bool render_batches(Film &film, RenderProgress &progress);
+    bool render_batches(Film &film, RenderProgress &progress, const Observer &observer, Aovs *aovs);
 
     Device &device_;
     const FilmSettings film_settings_;

@@ -177,6 +177,10 @@ const json *Parameters::find(const std::string &name) const {
 bool Parameters::has(const std::string &name) const { return find(name) != nullptr; }
 
 bool Parameters::is_object(const std::string &name) const { return has(name) && find(name)->is_object(); }
+bool Parameters::is_text(const std::string &name) const {
+    const json *value = find(name);
+    return value && value->is_string();
+}
 
 float Parameters::number(const std::string &name, std::optional<float> fallback) const { return read_or(name, fallback, read_number); }
 float Parameters::positive(const std::string &name, std::optional<float> fallback) const { return read_or(name, fallback, read_positive); }

@@ -21,6 +21,7 @@ public:
 
     bool has(const std::string &name) const;
     bool is_object(const std::string &name) const;
+    bool is_text(const std::string &name) const;  ///< not a number, array, ...
 
     // Single values. Without a fallback, a missing one is an error.
     float number(const std::string &name, std::optional<float> fallback = {}) const;

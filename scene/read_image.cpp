@@ -56,7 +56,12 @@ Picture read_picture(const std::string &file, Encoding encoding) {
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data())) throw cannot_read(file, input->geterror());
 
     const bool linear = encoding == Encoding::linear || (encoding == Encoding::automatic && is_linear(spec));
-    Picture picture{uint(spec.width), uint(spec.height), std::vector<vec3>(pixels), texts(spec), !linear};
+    Picture picture{uint(spec.width), uint(spec.height), std::vector<vec3>(pixels), texts(spec)};
+    picture.encoded = !linear;
+    if (spec.full_width != spec.width || spec.full_height != spec.height) {
+        picture.left = uint(spec.x - spec.full_x), picture.top = uint(spec.y - spec.full_y);
+        picture.whole_width = uint(spec.full_width), picture.whole_height = uint(spec.full_height);
+    }
     const std::array<std::size_t, 3> colour = colour_channels(spec);
     for (std::size_t i = 0; i < pixels; ++i)
         for (std::size_t c = 0; c < 3; ++c) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "kernels/core/scene.h"
 #include "scene/primitives/shape.h"
 #include "scene/textures/texture.h"
+#include "scene/window.h"
 
 namespace brandung {
 
@@ -24,9 +26,15 @@ struct FilmSettings {
     uint spp = 1;
     uint seed = 0;
     uint pixel = PIXEL_CENTER;
-    uint filter = 0;             ///< its place in filter_kinds()
-    float filter_radius = 0.5f;  ///< [pixels]
-    float exposure = 0;          ///< of 8-bit pictures [EV]
+    uint filter = 0;                  ///< its place in filter_kinds()
+    float filter_radius = 0.5f;       ///< [pixels]
+    std::vector<uint> aovs;           ///< beside radiance: places in aov_kinds(), in order
+    std::optional<Window> crop;       ///< the part to render, if not all
+    float exposure = 0;               ///< of pictures of integers [EV]
+    bool automatic_exposure = false;  ///< instead
+    uint tone = 0;                    ///< curve of pictures of integers: its place in tone_kinds()
+
+    Window window() const { return crop.value_or(Window{0, 0, width, height}); }
 
     bool operator==(const FilmSettings &) const = default;
 };

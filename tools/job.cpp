@@ -22,7 +22,13 @@ Job::Job(const Scene &scene, const SceneOptions &options, std::function<bool(con
       compiled(timed(seconds.scene, [&] { return compile(scene); })),
       device(timed(seconds.device, [&] { return select_device(options, std::move(on_build)); })),
       on_device(timed(seconds.device, [&] { return DeviceScene(device, compiled); })),
-      film(timed(seconds.kernels, [&] { return Film(device, scene.film.width, scene.film.height); })),
+      film(timed(seconds.kernels, [&] { return Film(device, scene.film.window()); })),
+      aovs(timed(seconds.kernels,
+                 [&] {
+                     std::optional<Aovs> aovs;
+                     if (!scene.film.aovs.empty()) aovs.emplace(device, scene, compiled, on_device, camera, options.batch);
+                     return aovs;
+                 })),
       renderer(timed(seconds.kernels, [&] {
           return Renderer(device, scene, compiled, on_device, camera, {options.batch, std::move(on_progress), std::move(on_step)});
       })) {

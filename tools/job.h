@@ -37,7 +37,9 @@ struct Job {
     Job(const Scene &scene, const SceneOptions &options, std::function<bool(const RenderProgress &)> on_progress,
         std::function<void(const std::string &)> on_build, WatchSteps on_step = {});
     /// Of scene, film and waves, at most.
-    std::size_t bytes() const { return on_device.bytes() + on_device.texture_bytes() + film.bytes() + renderer.wave_bytes(); }
+    std::size_t bytes() const { return on_device.bytes() + on_device.texture_bytes() + film_bytes() + renderer.wave_bytes(); }
+    /// Of radiance and AOVs.
+    std::size_t film_bytes() const { return film.bytes() + (aovs ? aovs->bytes() : 0); }
 
     PhaseSeconds seconds;
     const Scene &scene;
@@ -46,6 +48,7 @@ struct Job {
     Device device;
     DeviceScene on_device;
     Film film;
+    std::optional<Aovs> aovs;  ///< if the scene asks for any
     Renderer renderer;
 };
 

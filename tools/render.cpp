@@ -2,19 +2,16 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <limits>
 #include <set>
 
-#include "brandung_version.h"
-#include "scene/filters/filter.h"
-#include "scene/image.h"
+#include "scene/error.h"
 #include "scene/output.h"
-#include "scene/scene_hash.h"
 #include "tools/commands.h"
+#include "tools/outputs.h"
 #include "tools/preview/preview.h"
 #include "tools/progress.h"
 #include "tools/report.h"
@@ -35,9 +32,11 @@ void handle_interruptions() {
 }
 
 struct Options : SceneOptions {
+    OutputOptions outputs;
     std::string stats;
-    std::vector<std::string> outputs, previews;
+    std::vector<std::string> previews;
     std::string preview_hold;
+    std::optional<double> save_every;  ///< [s]
     bool explain = false, quiet = false;
 };
 
@@ -55,7 +54,7 @@ void check_distinct(const Options &options) {
     const auto check = [&](const char *option, const std::string &file) {
         if (!known.insert(canonical_name(file)).second) throw CLI::ValidationError(option, "'" + file + "' is the scene or another output already");
     };
-    for (const std::string &output : options.outputs) check("--output", output);
+    for (const std::string &output : options.outputs.files) check("--output", output);
     if (!options.stats.empty()) check("--stats", options.stats);
 }
 
@@ -77,19 +76,15 @@ std::optional<double> hold_seconds(const Options &options) {
     return seconds;
 }
 
-void check_outputs(const Options &options, const FilmSettings &film) {
-    for (const std::string &output : options.outputs) check_picture_writable(output, film.width, film.height);
-    if (!options.stats.empty()) check_writable(options.stats);
-}
-
 double mebibytes(std::size_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
 
 void check_memory(const Job &job) {
     const DeviceInfo &device = job.device.info();
     if (job.bytes() > device.memory)
-        throw Error(fmt::format("{}: rendering takes up to {:.1f} MiB (scene {:.1f}, textures {:.1f}, film {:.1f}, waves {:.1f}), but '{}' has {:.1f} MiB",
-                                job.scene.file, mebibytes(job.bytes()), mebibytes(job.on_device.bytes()), mebibytes(job.on_device.texture_bytes()), mebibytes(job.film.bytes()),
-                                mebibytes(job.renderer.wave_bytes()), device.name, mebibytes(device.memory)));
+        throw Error(
+            fmt::format("{}: rendering takes up to {:.1f} MiB (scene {:.1f}, textures {:.1f}, film {:.1f}, waves {:.1f}), but '{}' has {:.1f} MiB",
+                        job.scene.file, mebibytes(job.bytes()), mebibytes(job.on_device.bytes()), mebibytes(job.on_device.texture_bytes()),
+                        mebibytes(job.film_bytes()), mebibytes(job.renderer.wave_bytes()), device.name, mebibytes(device.memory)));
 }
 
 void print_warnings(const std::map<std::string, uint> &warnings) {
@@ -103,11 +98,13 @@ void print_threads_beyond(const Options &options, const DeviceInfo &device) {
 
 void print_plan(const Job &job) {
     const FilmSettings &film = job.scene.film;
+    const Window window = film.window();
     const std::size_t texture_bytes = job.on_device.texture_bytes();
     const std::string textures = texture_bytes == 0 ? "" : fmt::format("textures {:.1f} MiB, ", mebibytes(texture_bytes));
-    fmt::print(stderr, "{}: {} x {}, {} spp on {}; memory: scene {:.1f} MiB, {}film {:.1f} MiB, waves at most {:.1f} MiB\n", job.scene.file, film.width,
-               film.height, film.spp, job.device.info().name, mebibytes(job.on_device.bytes()), textures, mebibytes(job.film.bytes()),
-               mebibytes(job.renderer.wave_bytes()));
+    const std::string part = film.crop ? fmt::format(" (from {}, {} on, of {} x {})", window.left, window.top, film.width, film.height) : "";
+    fmt::print(stderr, "{}: {} x {}{}, {} spp on {}; memory: scene {:.1f} MiB, {}film {:.1f} MiB, waves at most {:.1f} MiB\n", job.scene.file,
+               window.width(), window.height(), part, film.spp, job.device.info().name, mebibytes(job.on_device.bytes()), textures,
+               mebibytes(job.film_bytes()), mebibytes(job.renderer.wave_bytes()));
 }
 
 void print_faults(Preview &preview, ProgressLine &progress) {
@@ -117,33 +114,18 @@ void print_faults(Preview &preview, ProgressLine &progress) {
     }
 }
 
-std::string samples_taken(const RenderEnd &end) { return fmt::format("{} of {} samples", end.samples_done, end.samples_total); }
-
-std::map<std::string, std::string> metadata(const Job &job, const PhaseSeconds &seconds, const RenderEnd &end) {
-    const char *const positions[] = {"corner", "center", "random"};
-    std::map<std::string, std::string> metadata = {{"Software", "brandung " BRANDUNG_VERSION " (" BRANDUNG_GIT ")"},
-                                                   {"brandung:scene", job.scene.file},
-                                                   {"brandung:scene_hash", fmt::format("{:016x}", scene_hash(job.scene, job.compiled))},
-                                                   {"brandung:camera", job.camera.name},
-                                                   {"brandung:integrator", job.scene.integrator.type},
-                                                   {"brandung:max_depth", std::to_string(job.scene.integrator.max_depth)},
-                                                   {"brandung:threshold", fmt::format("{}", job.scene.integrator.threshold)},
-                                                   {"brandung:light_samples", std::to_string(job.scene.integrator.light_samples)},
-                                                   {"brandung:shadows", job.scene.integrator.filtered_shadows ? "filtered" : "opaque"},
-                                                   {"brandung:spp", std::to_string(job.scene.film.spp)},
-                                                   {"brandung:seed", std::to_string(job.scene.film.seed)},
-                                                   {"brandung:filter", filter_kinds()[job.scene.film.filter].name},
-                                                   {"brandung:filter_radius", fmt::format("{}", job.scene.film.filter_radius)},
-                                                   {"brandung:pixel", positions[job.scene.film.pixel]},
-                                                   {"brandung:statistics", statistics(job, seconds, end).dump()}};
-    if (!end.complete) metadata.insert({{"brandung:interrupted", "true"}, {"brandung:samples", samples_taken(end)}});
-    return metadata;
-}
-
-void write_pictures(const Options &options, Job &job, const PhaseSeconds &seconds, const RenderEnd &end) {
-    Picture picture{job.scene.film.width, job.scene.film.height, job.film.develop(), {}};
-    if (std::any_of(options.outputs.begin(), options.outputs.end(), stores_metadata)) picture.metadata = metadata(job, seconds, end);
-    for (const std::string &output : options.outputs) write_picture(output, picture, job.scene.film.exposure);
+/// Writes the pictures so far now and then; where that fails the render goes on.
+Observer saving(const Options &options, Job &job, PhaseSeconds seconds, ProgressLine &progress) {
+    if (!options.save_every) return {};
+    return {*options.save_every, [&, seconds](const RenderProgress &done) mutable {
+                seconds.render = done.seconds;
+                try {
+                    write_outputs(options.outputs, job, seconds, {false, "", done.samples_done, done.samples_total}, true);
+                } catch (const SceneError &error) {
+                    progress.clear();
+                    fmt::print(stderr, "warning: {}\n", error.what());
+                }
+            }};
 }
 
 void print_losses(const Job &job) {
@@ -162,9 +144,10 @@ int render(const Options &options) {
     const std::optional<double> hold = hold_seconds(options);
     double read_seconds = 0;
     const Scene scene = timed(read_seconds, [&] { return read_scene(options); });
-    check_outputs(options, scene.film);
+    check_outputs(options.outputs, scene.film);
+    if (!options.stats.empty()) check_writable(options.stats);
 
-    Preview preview(targets, scene, options.outputs.front(), options.batch);
+    Preview preview(targets, scene, options.outputs.files.front(), options.batch);
     for (const std::string &url : preview.urls()) fmt::print(stderr, "preview: {}\n", url);
 
     ProgressLine progress(options.quiet);
@@ -192,16 +175,18 @@ int render(const Options &options) {
 
     PhaseSeconds seconds = job.seconds;
     seconds.read = read_seconds;
-    const RenderEnd end = timed(seconds.render, [&] { return job.renderer.render(job.film); });
+    const RenderEnd end = timed(
+        seconds.render, [&] { return job.renderer.render(job.film, saving(options, job, seconds, progress), job.aovs ? &*job.aovs : nullptr); });
     preview.finish(end, job);
     progress.clear();
 
     double write_seconds = 0;
-    timed(write_seconds, [&] { write_pictures(options, job, seconds, end); });
+    const float exposure = timed(write_seconds, [&] { return write_outputs(options.outputs, job, seconds, end, false); });
     seconds.write = write_seconds;
     seconds.total = seconds_now() - start;
     if (!options.stats.empty()) write_text(options.stats, statistics(job, seconds, end).dump(2) + "\n");
     print_losses(job);
+    if (scene.film.automatic_exposure) fmt::print(stderr, "exposure: --exposure {}\n", exposure);
     preview.hold(end.complete ? hold : std::nullopt, [&] { return end.complete && interrupted; });
     print_faults(preview, progress);
     if (!end.failure.empty()) throw Error(end.failure + "; the picture so far has been written: " + samples_taken(end));
@@ -215,10 +200,9 @@ void add_render(CLI::App &app, int &status) {
     CLI::App *command = app.add_subcommand("render", "render a scene to one or more pictures");
     auto options = std::make_shared<Options>();
     add_scene_options(*command, *options);
-    command->add_option("-o,--output", options->outputs, "picture to write, its format by extension; several allowed")
-        ->required()
-        ->expected(1)
-        ->take_all();
+    add_output_options(*command, options->outputs);
+    command->add_option("--save-every", options->save_every, "while rendering write the pictures so far every so many seconds")
+        ->check(CLI::PositiveNumber);
     command->add_option("--stats", options->stats, "write everything counted and timed to this JSON file");
     command
         ->add_option("--preview", options->previews,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scene/aovs/aov.h"
 #include "scene/bsdfs/bsdf.h"
 #include "scene/filters/filter.h"
 #include "scene/lights/light.h"
@@ -20,6 +21,7 @@ std::vector<std::string> features_in_use(const Scene &scene, const CompiledScene
     for (const uint kind : compiled.lights) used.push_back(std::string("light ") + light_kinds()[kind].name);
     used.push_back("accelerator " + compiled.accelerator);
     used.push_back(std::string("filter ") + filter_kinds()[compiled.filter].name);
+    for (const uint aov : scene.film.aovs) used.push_back(std::string("AOV ") + aov_kinds()[aov].name);
     used.push_back("integrator " + scene.integrator.type);
     if (compiled.reflects) used.push_back("reflected rays");
     if (compiled.transmits) used.push_back(fmt::format("refracted rays, lists of {} media", compiled.interior_size));
@@ -41,6 +43,7 @@ std::vector<Skipped> kinds_not_in_use(const CompiledScene &compiled) {
 
 std::vector<Skipped> all_skipped(const Job &job) {
     std::vector<Skipped> skipped = kinds_not_in_use(job.compiled);
+    if (!job.aovs) skipped.push_back({"record_aov", "no AOV is asked for"});
     if (!job.renderer.filter().has_weights()) skipped.push_back({"weigh_samples", "no sample has a negative weight"});
     for (const Skipped &other : job.renderer.integrator().skipped()) skipped.push_back(other);
     if (job.compiled.media > max_interior_size)
@@ -117,18 +120,20 @@ json memory(const Job &job) {
     return {{"scene_bytes", job.on_device.bytes()},
             {"texture_bytes", job.on_device.texture_bytes()},
             {"wave_bytes", job.renderer.wave_bytes()},
-            {"film_bytes", job.film.bytes()}};
+            {"film_bytes", job.film_bytes()}};
 }
 
 json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &end) {
     const FilmSettings &film = job.scene.film;
     const Integrator &integrator = job.renderer.integrator();
+    const Window window = film.window();
     return {{"scene", scene_contents(job.scene, job.compiled)},
             {"device", job.device.info().name},
             {"integrator", job.scene.integrator.type},
             {"accelerator", job.compiled.accelerator},
             {"width", film.width},
             {"height", film.height},
+            {"window", {window.left, window.top, window.right, window.bottom}},
             {"spp", film.spp},
             {"seed", film.seed},
             {"interrupted", !end.complete},

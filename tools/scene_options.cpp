@@ -1,5 +1,6 @@
 #include "tools/scene_options.h"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "scene/error.h"
@@ -23,6 +24,10 @@ std::vector<std::string> assignments(const SceneOptions &options) {
     if (options.spp) add("film.spp", std::to_string(*options.spp));
     if (options.seed) add("film.seed", std::to_string(*options.seed));
     if (!options.pixel.empty()) add("film.pixel", options.pixel);
+    if (!options.crop.empty()) add("film.crop", "[" + options.crop + "]");
+    if (!options.aovs.empty()) add("film.aovs", "[\"" + fmt::format("{}", fmt::join(options.aovs, "\",\"")) + "\"]");
+    if (!options.exposure.empty()) add("film.exposure", options.exposure);
+    if (!options.tone.empty()) add("film.tone", options.tone);
     if (!options.filter.empty()) add("film.filter", options.filter);
     if (options.max_depth) add("integrator.max_depth", std::to_string(*options.max_depth));
     if (options.light_samples) add("integrator.light_samples", std::to_string(*options.light_samples));
@@ -40,9 +45,20 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
     command.add_option("--accelerator", options.accelerator, "wide_bvh, none or auto (default: the scene's)");
     command.add_option("--spp", options.spp, "samples per pixel")->check(CLI::Range(1u, max_samples));
     command.add_option("--size", options.size, "picture size as WIDTHxHEIGHT");
+    command.add_option("--crop", options.crop,
+                       "the part of the picture to render as X0,Y0,X1,Y1: pixels from the left and the top, X1 and Y1 exclusive");
     command.add_option("--seed", options.seed, "seed of random numbers")->check(CLI::Range(0u, 0xffffffffu));
     command.add_option("--pixel", options.pixel, "where a single sample lies: corner, center or random");
     command.add_option("--filter", options.filter, "how samples count in their pixel: box, tent, gaussian, mitchell or blackman_harris");
+    command
+        .add_option("--aov", options.aovs,
+                    "further channels of EXR: normal, albedo, depth, position, primitive, samples or all; several as normal,albedo")
+        ->delimiter(',')
+        ->expected(1)
+        ->take_all();
+    command.add_option("--exposure", options.exposure,
+                       "of pictures of integers in EV, or auto: the median luminance of pixels that are not black becomes middle grey");
+    command.add_option("--tone", options.tone, "curve of pictures of integers: srgb, filmic or none");
     command.add_option("--camera", options.camera, "name of the scene's camera to use (default: the first)");
     command.add_option("--max-depth", options.max_depth, "rays in a chain, the eye ray being 1")->check(CLI::Range(1u, max_depth));
     command

@@ -10,7 +10,8 @@
 namespace brandung {
 
 struct SceneOptions {
-    std::string scene, integrator, accelerator, shadows, size, pixel, filter, camera, device;
+    std::string scene, integrator, accelerator, shadows, size, crop, pixel, filter, exposure, tone, camera, device;
+    std::vector<std::string> aovs;
     std::vector<std::string> settings;  ///< "KEY=VALUE"
     std::optional<uint> spp, seed, max_depth, light_samples;
     uint batch = 32768, threads = 0;

@@ -23,6 +23,16 @@ FUNCTION Spectrum bsdf_ambient(const global Material *m) {
     return result;
 }
 
+/// Weights of the mirrored and of the refracted ray together, whatever the angle.
+FUNCTION Spectrum bsdf_secondary(const global Material *m) {
+    Spectrum result = make3(0.0f, 0.0f, 0.0f);
+#define CASE(KIND, View, name) \
+    ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_secondary(m), result);
+    FOR_EACH_BSDF(CASE)
+#undef CASE
+    return result;
+}
+
 FUNCTION Phong where(int c, Phong a, Phong b) {
     Phong r;
     r.diffuse = where(c, a.diffuse, b.diffuse), r.specular = where(c, a.specular, b.specular), r.exponent = where(c, a.exponent, b.exponent);

@@ -17,6 +17,12 @@ FUNCTION Whitted whitted_view(const global Material *m) {
 /// Reflectance of ambient light.
 FUNCTION Spectrum whitted_ambient(const global Material *m) { return whitted_view(m).ambient; }
 
+/// Fresnel's law divides them, and neither is lost.
+FUNCTION Spectrum whitted_secondary(const global Material *m) {
+    const Whitted w = whitted_view(m);
+    return where(w.fresnel != 0u, maximum(w.reflection, w.transmission), plus(w.reflection, w.transmission));
+}
+
 FUNCTION Phong whitted_phong(const global Material *m) {
     const Whitted w = whitted_view(m);
     Phong phong;

@@ -87,3 +87,9 @@ typedef struct {
     Integer128 sums[2][3], squares[3];
     uint counts[2];
 } FilmPixel;
+
+/// A pixel's sums of values in fixed point, and how many samples have one.
+typedef struct {
+    int64 sums[3];
+    uint count, spare;
+} AovPixel;

@@ -24,7 +24,7 @@ typedef struct {
 /// Whole rows of the film that lie in one buffer.
 typedef struct {
     uint first_row, rows;
-    uint width;  ///< pixels in a row
+    uint first_column, width;  ///< pixels in a row
 } FilmBand;
 
 typedef struct {

@@ -1,7 +1,7 @@
 // From the samples of a batch to the film.
+#include "kernels/core/bands.cl"
 #include "kernels/core/integer128.cl"
 #include "kernels/core/items.cl"
-#include "kernels/core/params.h"
 
 #define LARGEST_SAMPLE (1l << 48)  ///< 2^16
 
@@ -9,9 +9,8 @@
 kernel void add_samples(BatchParams batch, FilmBand band, const global uint *restrict pixels, const global Sample *restrict samples,
                         global FilmPixel *restrict film, global uint *restrict clamped) {
     FOR_EACH_ITEM_SERIALLY(i, batch.pixels) {
-        const uint row = (pixels[i] >> 16) - band.first_row;  // above the band it wraps around
-        if (row >= band.rows) continue;
-        global FilmPixel *pixel = film + row * band.width + (pixels[i] & 0xffffu);
+        if (!is_in_band(pixels[i], band)) continue;
+        global FilmPixel *pixel = film + place_in_band(pixels[i], band);
         for (uint j = 0u; j < batch.samples; ++j) {
             const uint half_of_sample = batch.first_sample + j & 1u;
             bool too_bright = false;

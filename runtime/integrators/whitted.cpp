@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "runtime/integrators/integrator.h"
+#include "runtime/wavefront/aovs.h"
 #include "runtime/wavefront/compaction.h"
 #include "runtime/wavefront/levels.h"
 
@@ -128,6 +129,8 @@ public:
             trace(*wave);
             evaluate_(wave->count, scene_, *wave, wave->level.rays, hits_, media_ ? media_->etas : no_floats_, points_, interfaces_, directions_);
             if (pictures_) pictures_->look_up(wave->count, scene_, scene_.texels(), *wave, wave->level.rays, hits_, points_, pictures_->tints);
+            if (batch.aovs && wave->generation == 0)
+                batch.aovs->record(batch, scene_, *wave, hits_, points_, pictures_ ? pictures_->tints : no_tints_);
             if (wave->children) spawn(*wave);
             for (uint light = 0; light == 0 || light < light_count_; light += lights_per_block) shade(*wave, light, samples);
             if (wave->children) levels_.add_children(*wave, secondary_->compact.counts().read().at(0));

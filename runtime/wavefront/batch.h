@@ -6,12 +6,15 @@
 
 namespace brandung {
 
+class Aovs;
+
 /// A list of pixels (x in the lower 16 bits, y in the upper) and a range of their samples.
 struct Batch {
     BatchParams params;
     const Buffer<uint> &pixels;
     Camera camera;
     const std::vector<uint> &interior;  ///< the list of media that the eye is in, as kernels/core/interior.cl has it
+    Aovs *aovs = nullptr;               ///< takes note of what camera rays hit, if anyone wants to know
     uint count() const { return params.pixels * params.samples; }
 };
 

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "runtime/opencl/kernel.h"
+#include "runtime/wavefront/bands.h"
 #include "runtime/wavefront/batch.h"
 
 namespace brandung {
@@ -11,30 +12,25 @@ class Film {
 public:
     /// Black. Bands of rows are allocations of their own, none larger than `largest_band` [bytes], unless one row is, or than the device allows.
     /// Throws Error, with the sizes, if the device's memory is too small, and BuildError.
-    Film(Device &device, uint width, uint height, std::size_t largest_band = std::numeric_limits<std::size_t>::max());
+    Film(Device &device, const Window &window, std::size_t largest_band = std::numeric_limits<std::size_t>::max());
 
-    /// Adds a batch's samples.
+    /// Adds a batch's samples, which lie in the window.
     void add(const Batch &batch, const Buffer<Sample> &samples);
     /// Mean radiance, 3 floats per pixel, row by row from the top; black where there is no sample yet.
     std::vector<vec3> develop();
     /// Exact sums, row by row from the top.
-    std::vector<FilmPixel> read() const;
+    std::vector<FilmPixel> read() const { return bands_.read(); }
     /// Samples that were cut at ±2^16.
     uint clamped() const { return clamped_.read().at(0); }
 
-    uint width() const { return width_; }
-    uint height() const { return height_; }
-    std::size_t bytes() const;
+    const Window &window() const { return window_; }
+    std::size_t bytes() const { return picture_.bytes() + bands_.bytes(); }
 
 private:
-    struct Band {
-        FilmBand params;
-        Buffer<FilmPixel> pixels;
-    };
-    uint width_, height_;
+    Window window_;
     Kernel add_samples_, develop_;
-    std::vector<Band> bands_;  ///< from the top
-    Buffer<vec3> picture_;     ///< of one band
+    Buffer<vec3> picture_;  ///< of one band
+    Bands<FilmPixel> bands_;
     Buffer<uint> clamped_;
 };
 

@@ -1,14 +1,17 @@
 /// Settings that every scene format takes: film, integrator, accelerator.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/accelerators/accelerator.h"
+#include "scene/aovs/aov.h"
 #include "scene/filters/filter.h"
 #include "scene/formats/format.h"
 #include "scene/formats/limits.h"
 #include "scene/parameters.h"
 #include "scene/textures/textured.h"
+#include "scene/tone.h"
 
 namespace brandung {
 namespace {
@@ -30,6 +33,42 @@ void read_filter(const Parameters &parameters, FilmSettings &film) {
     if (film.pixel == PIXEL_CORNER && kind.has_radius) parameters.fail("filter", "pixels at corners take no filter but the box");
 }
 
+void read_crop(const Parameters &parameters, FilmSettings &film) {
+    if (!parameters.has("crop")) return;
+    const std::vector<uint> edges = parameters.integers("crop");
+    if (edges.size() != 4) parameters.fail("crop", fmt::format("must be an array of 4 numbers, got one of {}", edges.size()));
+    film.crop = Window{edges[0], edges[1], edges[2], edges[3]};
+    if (film.crop->left >= film.crop->right || film.crop->top >= film.crop->bottom)
+        parameters.fail("crop", "has no pixels: must be X0, Y0, X1, Y1 with X0 < X1 and Y0 < Y1");
+    if (film.crop->right > film.width || film.crop->bottom > film.height)
+        parameters.fail("crop", fmt::format("reaches beyond the picture of {} x {} pixels", film.width, film.height));
+}
+
+/// Of pictures of integers.
+void read_development(const Parameters &parameters, FilmSettings &film) {
+    std::vector<std::string> tones;
+    for (const ToneKind &kind : tone_kinds()) tones.emplace_back(kind.name);
+    film.tone = parameters.choice("tone", tones, film.tone);
+    film.automatic_exposure = parameters.is_text("exposure");
+    if (!film.automatic_exposure) film.exposure = parameters.number("exposure", film.exposure);
+    if (film.automatic_exposure && parameters.text("exposure") != "auto")
+        parameters.fail("exposure", fmt::format("must be a number or \"auto\", got \"{}\"", parameters.text("exposure")));
+    if (std::abs(film.exposure) > max_exposure)
+        parameters.fail("exposure", fmt::format("must be from -{0:g} to {0:g} EV, got {1:g}", max_exposure, film.exposure));
+}
+
+void read_aovs(const Parameters &parameters, FilmSettings &film) {
+    const std::vector<std::string> names = parameters.texts("aovs");
+    std::vector<std::string> known = {"all"};
+    for (const AovKind &kind : aov_kinds()) known.emplace_back(kind.name);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (std::find(known.begin(), known.end(), names[i]) == known.end())
+            parameters.fail_element("aovs", i, fmt::format("must be one of {}, got \"{}\"", fmt::join(known, ", "), names[i]));
+    for (uint kind = 0; kind < aov_kinds().size(); ++kind)
+        if (std::any_of(names.begin(), names.end(), [&](const std::string &name) { return name == "all" || name == aov_kinds()[kind].name; }))
+            film.aovs.push_back(kind);
+}
+
 void read_film(const Parameters &parameters, FilmSettings &film) {
     film.width = parameters.integer("width", film.width, 1, max_resolution);
     film.height = parameters.integer("height", film.height, 1, max_resolution);
@@ -38,9 +77,9 @@ void read_film(const Parameters &parameters, FilmSettings &film) {
     film.pixel = parameters.choice("pixel", {"corner", "center", "random"}, film.pixel);
     read_filter(parameters, film);
     if (film.pixel == PIXEL_CORNER && film.spp != 1) parameters.fail("pixel", fmt::format("'corner' takes one sample per pixel, not {}", film.spp));
-    film.exposure = parameters.number("exposure", film.exposure);
-    if (std::abs(film.exposure) > max_exposure)
-        parameters.fail("exposure", fmt::format("must be from -{0:g} to {0:g} EV, got {1:g}", max_exposure, film.exposure));
+    read_aovs(parameters, film);
+    read_crop(parameters, film);
+    read_development(parameters, film);
     parameters.expect_all_known();
 }
 

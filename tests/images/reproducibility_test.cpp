@@ -61,7 +61,7 @@ Result render_with_threads(const Scene &scene, uint threads) {
     EXPECT_EQ(device.info().compute_units, threads);
     const CompiledScene compiled = compile(scene);
     const DeviceScene on_device(device, compiled);
-    Film film(device, scene.film.width, scene.film.height);
+    Film film(device, scene.film.window());
     Renderer renderer(device, scene, compiled, on_device, scene.cameras.at(0), {});
     renderer.render(film);
     return {film_hash(film.read()), renderer.integrator().counts().rays, renderer.integrator().counts().hits};

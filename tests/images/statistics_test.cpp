@@ -35,7 +35,7 @@ struct Profiled {
         Device device = Device::select();
         const CompiledScene compiled = compile(scene);
         const DeviceScene on_device(device, compiled);
-        Film film(device, scene.film.width, scene.film.height);
+        Film film(device, scene.film.window());
         Renderer renderer(device, scene, compiled, on_device, scene.cameras.at(0), {.batch = batch});
         renderer.render(film);
         device.finish();

@@ -38,7 +38,7 @@ std::string read_text(const fs::path &path) {
 
 /// All kinds of primitives and lights; the material decides which kernels are built.
 std::string scene_of(const std::string &material, const std::string &filter = "box") {
-    return R"({"film": {"width": 32, "height": 32, "spp": 4, "filter": ")" + filter +
+    return R"({"film": {"width": 32, "height": 32, "spp": 4, "aovs": ["all"], "filter": ")" + filter +
            R"("}, "camera": {"from": [0, 1, 6], "at": [0, 0, 0], "fov": 40}, "ambient": 0.1,
         "integrator": {"shadows": "filtered"},
         "materials": [{"name": "m", "type": "whitted", "diffuse": 0.5, "specular": 0.4, "exponent": 20)" +

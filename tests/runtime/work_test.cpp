@@ -10,7 +10,7 @@ namespace brandung {
 namespace {
 
 std::vector<uint> all(uint width, uint height, std::size_t at_once) {
-    PixelOrder order(width, height);
+    PixelOrder order({0, 0, width, height});
     std::vector<uint> pixels;
     for (auto next = order.next(at_once); !next.empty(); next = order.next(at_once)) {
         EXPECT_LE(next.size(), at_once);
@@ -46,6 +46,13 @@ TEST(PixelOrder, SixteenNeighboursInTheListLieInASquareOfFour) {
         }
         ASSERT_TRUE(high_x - low_x == 3 && high_y - low_y == 3) << i;
     }
+}
+
+TEST(PixelOrder, OfAWindowIsThatOfAPictureOfItsSizeMovedThere) {
+    PixelOrder order({1000, 60000, 1013, 60009});
+    const std::vector<uint> moved = order.next(1000), at_origin = all(13, 9, 1000);
+    ASSERT_EQ(moved.size(), at_origin.size());
+    for (std::size_t i = 0; i < moved.size(); ++i) ASSERT_EQ(moved[i], at_origin[i] + (1000u | 60000u << 16));
 }
 
 }  // namespace

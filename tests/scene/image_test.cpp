@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "scene/error.h"
+#include "scene/tone.h"
 
 namespace brandung {
 namespace {
@@ -71,7 +72,7 @@ TEST_P(PictureOf, StoresFloatsAsTheyAreOr8BitsThroughExposureAndCurve) {
     check_picture_writable(file, 64, 48);
     EXPECT_TRUE(folder.empty()) << "the check leaves nothing";
     const Picture picture = ramp();
-    write_picture(file, picture, 1.5f);
+    write_picture(file, picture, {.exposure = 1.5f});
     const Read stored = read(file);
     EXPECT_EQ(stored.floats, GetParam().floats);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i)
@@ -94,7 +95,7 @@ TEST(Image, TheGreatestExposuresGiveWhiteAndBlack) {
     Picture picture = ramp();
     picture.pixels.assign(picture.pixels.size(), vec3(0, 1e-6f, 65536));
     for (const float exposure : {-100.0f, 100.0f}) {
-        write_picture(folder.file("out.png"), picture, exposure);
+        write_picture(folder.file("out.png"), picture, {.exposure = exposure});
         const Read stored = read(folder.file("out.png"));
         EXPECT_EQ(stored.values[0], 0.0f);
         EXPECT_EQ(stored.values[1], exposure > 0 ? 1.0f : 0.0f);
@@ -129,7 +130,7 @@ TEST(Image, ExrAndPngStoreMetadata) {
     Picture picture = ramp();
     picture.metadata["brandung:answer"] = "42";
     for (const char *name : {"a.exr", "a.png"}) {
-        write_picture(folder.file(name), picture, 0);
+        write_picture(folder.file(name), picture);
         EXPECT_EQ(OIIO::ImageInput::open(folder.file(name))->spec().get_string_attribute("brandung:answer"), "42") << name;
     }
 }
@@ -142,7 +143,7 @@ TEST(Image, IsReadAsItWasWritten) {
     for (vec3 &pixel : picture.pixels) pixel = glm::min(pixel, vec3(1));
     picture.metadata["brandung:answer"] = "42";
     for (const auto &[name, tolerance] : {std::pair{"a.exr", 0.0f}, {"a.tif", 0.0f}, {"a.hdr", 0x1p-7f}, {"a.png", 0.0045f}}) {
-        write_picture(folder.file(name), picture, 0);
+        write_picture(folder.file(name), picture);
         const Picture read = read_picture(folder.file(name));
         ASSERT_EQ(read.width, 64u);
         ASSERT_EQ(read.height, 48u);
@@ -182,7 +183,7 @@ TEST(Image, WhatCannotBeReadIsRefusedInOneLine) {
     const Folder folder;
     for (const char *name : {"text.png", "unknown.xyz"}) std::ofstream(folder.file(name)) << "no picture";
     std::ofstream(folder.file("empty.exr"));
-    write_picture(folder.file("whole.exr"), ramp(), 0);
+    write_picture(folder.file("whole.exr"), ramp());
     fs::copy_file(folder.file("whole.exr"), folder.file("cut.exr"));
     fs::resize_file(folder.file("cut.exr"), fs::file_size(folder.file("cut.exr")) / 2);
     fs::create_directory(folder.file("folder.png"));
@@ -194,6 +195,87 @@ TEST(Image, WhatCannotBeReadIsRefusedInOneLine) {
             EXPECT_TRUE(what.starts_with(folder.file(name) + ": ")) << what;
             EXPECT_EQ(what.find('\n'), std::string::npos) << what;
         }
+}
+
+struct Stored {
+    std::string file;
+    std::vector<Bits> bits;
+    OIIO::TypeDesc type;
+};
+
+TEST(Image, EachFormatTakesTheFirstBitsThatItHas) {
+    const Folder folder;
+    for (const Stored &stored : {Stored{"a.png", {Bits::sixteen}, OIIO::TypeDesc::UINT16},
+                                 {"b.png", {Bits::half, Bits::eight}, OIIO::TypeDesc::UINT8},
+                                 {"a.exr", {Bits::sixteen, Bits::half}, OIIO::TypeDesc::HALF},
+                                 {"b.exr", {Bits::sixteen}, OIIO::TypeDesc::FLOAT},
+                                 {"a.tif", {Bits::sixteen}, OIIO::TypeDesc::UINT16},
+                                 {"b.tif", {Bits::eight}, OIIO::TypeDesc::UINT8},
+                                 {"a.ppm", {Bits::sixteen}, OIIO::TypeDesc::UINT16},
+                                 {"a.hdr", {Bits::eight}, OIIO::TypeDesc::FLOAT},
+                                 {"a.jpg", {Bits::single}, OIIO::TypeDesc::UINT8}}) {
+        const std::string file = folder.file(stored.file);
+        const PictureStyle style{.exposure = -1, .bits = stored.bits};
+        check_picture_writable(file, 64, 48, style);
+        write_picture(file, ramp(), style);
+        const auto input = OIIO::ImageInput::open(file);
+        ASSERT_TRUE(input) << file;
+        EXPECT_EQ(input->spec().format, stored.type) << file;
+    }
+    // 16 bits: half a step of the curve, and what the curve in float is off.
+    const Picture picture = ramp();
+    for (const char *name : {"a.png", "a.tif", "a.ppm"}) {
+        const Read stored = read(folder.file(name));
+        for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+            for (int c = 0; c < 3; ++c) ASSERT_NEAR(stored.values[3 * i + std::size_t(c)], shown(picture.pixels[i][c], -1), 1e-5) << name;
+    }
+    // Half: 11 bits.
+    const Read half = read(folder.file("a.exr"));
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+        ASSERT_NEAR(half.values[3 * i], picture.pixels[i].x, 0x1p-11f * picture.pixels[i].x + 1e-7f);
+}
+
+TEST(Image, LinearIntegersAreReadAsSuch) {
+    const Folder folder;
+    uint none = 0;
+    while (tone_kinds()[none].name != std::string("none")) ++none;
+    const Picture picture = ramp();
+    write_picture(folder.file("a.png"), picture, {.tone = none, .bits = {Bits::sixteen}});
+    const Picture linear = read_picture(folder.file("a.png"));
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) ASSERT_NEAR(linear.pixels[i].x, std::min(picture.pixels[i].x, 1.0f), 1e-5f) << i;
+}
+
+TEST(Image, LowerQualityMakesSmallerJpegs) {
+    const Folder folder;
+    const auto size = [&](uint quality) {
+        write_picture(folder.file("a.jpg"), ramp(), {.quality = quality});
+        return fs::file_size(folder.file("a.jpg"));
+    };
+    EXPECT_LT(size(20), size(80));
+    EXPECT_LT(size(80), size(98));
+}
+
+TEST(Image, AWindowKeepsItsPlaceInExr) {
+    const Folder folder;
+    Picture picture = ramp();
+    picture.left = 100, picture.top = 7, picture.whole_width = 640, picture.whole_height = 480;
+    for (const char *name : {"a.exr", "a.png", "a.tif"}) write_picture(folder.file(name), picture);
+    const auto input = OIIO::ImageInput::open(folder.file("a.exr"));
+    EXPECT_EQ(input->spec().x, 100);
+    EXPECT_EQ(input->spec().y, 7);
+    EXPECT_EQ(input->spec().full_x, 0);
+    EXPECT_EQ(input->spec().full_width, 640);
+    EXPECT_EQ(input->spec().full_height, 480);
+    const Picture read = read_picture(folder.file("a.exr"));
+    EXPECT_EQ(read.pixels, picture.pixels);
+    EXPECT_EQ(read.left, 100u);
+    EXPECT_EQ(read.top, 7u);
+    EXPECT_EQ(read.whole_width, 640u);
+    EXPECT_EQ(read.whole_height, 480u);
+    for (const char *name : {"a.png", "a.tif"}) {
+        EXPECT_EQ(read_picture(folder.file(name)).width, 64u) << name;
+        EXPECT_EQ(read_picture(folder.file(name)).whole_width, 0u) << name;
+    }
 }
 
 }  // namespace

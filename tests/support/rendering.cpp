@@ -12,7 +12,7 @@ Rendering render_scene(const Scene &scene, const RenderOptions &options) {
     Device &device = test_device();
     const CompiledScene compiled = compile(scene);
     const DeviceScene on_device(device, compiled);
-    Film film(device, scene.film.width, scene.film.height);
+    Film film(device, scene.film.window());
     Renderer renderer(device, scene, compiled, on_device, scene.cameras.at(0), options);
     if (const RenderEnd end = renderer.render(film); !end.failure.empty()) throw Error(end.failure);
     return {film.read(),   film.develop(), renderer.integrator().counts(), renderer.integrator().refused(), renderer.integrator().media_lost(),

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/tools/program.h"
@@ -135,6 +137,96 @@ TEST(Outputs, SeveralAtOnceAreTheSamePicture) {
     EXPECT_EQ(exr.values, read_picture(folder.path("c.tif")).values);
     for (const char *name : {"d.hdr", "e.jpg"}) EXPECT_EQ(read_picture(folder.path(name)).spec.width, 32) << name;
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.exr", "b.exr", "c.tif", "d.hdr", "e.jpg", "scene.json"}));
+}
+
+TEST(Outputs, ACropIsADataWindowInExrAndAPictureOfItsSizeElsewhere) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.json", native_scene());
+    render({scene, "-o", folder.path("whole.exr")});
+    render({scene, "--crop", "10,5,22,15", "-o", folder.path("part.exr"), "-o", folder.path("part.png"), "--stats", folder.path("stats.json")});
+    const Read whole = read_picture(folder.path("whole.exr")), part = read_picture(folder.path("part.exr"));
+    EXPECT_EQ(part.spec.x, 10);
+    EXPECT_EQ(part.spec.y, 5);
+    EXPECT_EQ(part.spec.width, 12);
+    EXPECT_EQ(part.spec.height, 10);
+    EXPECT_EQ(part.spec.full_width, 32);
+    EXPECT_EQ(part.spec.full_height, 24);
+    for (std::size_t y = 0; y < 10; ++y)
+        for (std::size_t i = 0; i < 36; ++i) ASSERT_EQ(part.values[36 * y + i], whole.values[3 * (32 * (y + 5) + 10) + i]);
+    EXPECT_EQ(read_picture(folder.path("part.png")).spec.width, 12);
+    EXPECT_EQ(json::parse(read_file(folder.path("stats.json"))).at("window"), (json{10, 5, 22, 15}));
+}
+
+TEST(Outputs, AovsAreChannelsOfTheExr) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.json", native_scene());
+    render({scene, "-o", folder.path("plain.exr")});
+    render({scene, "--aov", "normal,depth,samples", "-o", folder.path("a.exr"), "-o", folder.path("a.png"), "--stats", folder.path("stats.json")});
+    const Read plain = read_picture(folder.path("plain.exr")), picture = read_picture(folder.path("a.exr"));
+    EXPECT_EQ(picture.spec.channelnames, (std::vector<std::string>{"R", "G", "B", "N.X", "N.Y", "N.Z", "depth.Z", "samples"}));
+    EXPECT_EQ(picture.spec.channelformats.back(), OIIO::TypeDesc::UINT);
+    EXPECT_EQ(read_picture(folder.path("a.png")).spec.nchannels, 3);
+    for (std::size_t i = 0; i < 32 * 24; ++i)
+        for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(picture.values[8 * i + c], plain.values[3 * i + c]);
+    // The eye is 4 away from the middle of a sphere of radius 1; the ray passes half a pixel, 0.06 at most, from its pole.
+    const std::size_t middle = 8 * (12 * 32 + 16);
+    EXPECT_NEAR(picture.values[middle + 5], 1, 0.01);
+    EXPECT_NEAR(picture.values[middle + 6], 3, 0.01);
+    EXPECT_TRUE(std::isinf(picture.values[6])) << "nothing is hit";
+    EXPECT_EQ(picture.values[3], 0);
+    const Finished without_exr = run_program({"render", scene, "--aov", "all", "-o", folder.path("b.png")});
+    EXPECT_EQ(without_exr.status, 2);
+    EXPECT_NE(without_exr.err.find("--aov"), std::string::npos) << without_exr.err;
+    const Finished unknown = run_program({"render", scene, "--aov", "colour", "-o", folder.path("b.exr")});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_NE(unknown.err.find("/film/aovs/0"), std::string::npos) << unknown.err;
+}
+
+TEST(Outputs, BitsAndQualityGoToTheFormatsThatHaveThem) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.json", native_scene());
+    render({scene, "--bits", "16,half", "--quality", "50", "-o", folder.path("a.png"), "-o", folder.path("b.exr"), "-o", folder.path("c.jpg")});
+    EXPECT_EQ(read_picture(folder.path("a.png")).spec.format, OIIO::TypeDesc::UINT16);
+    EXPECT_EQ(read_picture(folder.path("b.exr")).spec.format, OIIO::TypeDesc::HALF);
+    for (const auto &arguments : {std::vector<std::string>{"--bits", "half"}, {"--bits", "12"}, {"--quality", "50"}, {"--quality", "101"}}) {
+        std::vector<std::string> all = {"render", scene, "-o", folder.path("d.png")};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        const Finished run = run_program(all);
+        EXPECT_EQ(run.status, 2) << run.err;
+        EXPECT_NE(run.err.find(arguments[0]), std::string::npos) << run.err;
+    }
+}
+
+/// What it says can be pasted, and gives the same picture.
+TEST(Outputs, AutomaticExposureSaysWhatItChose) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.json", native_scene());
+    const Finished run = run_program({"render", "--quiet", scene, "--exposure", "auto", "--tone", "filmic", "-o", folder.path("a.png")});
+    ASSERT_EQ(run.status, 0) << run.err;
+    ASSERT_TRUE(run.err.starts_with("exposure: --exposure ")) << run.err;
+    const std::string chosen = run.err.substr(21, run.err.size() - 22);
+    render({scene, "--exposure", chosen, "--tone", "filmic", "-o", folder.path("b.png")});
+    EXPECT_EQ(read_picture(folder.path("a.png")).values, read_picture(folder.path("b.png")).values);
+    EXPECT_EQ(read_picture(folder.path("a.png")).text("brandung:exposure"), chosen);
+    EXPECT_EQ(read_picture(folder.path("a.png")).text("brandung:tone"), "filmic");
+    render({scene, "--exposure", "-3", "-o", folder.path("b.png")});
+    EXPECT_NE(read_picture(folder.path("a.png")).values, read_picture(folder.path("b.png")).values);
+}
+
+/// A render of hours that is killed once a picture is there: that is complete, and says what it is.
+TEST(Outputs, PicturesSoFarAreSavedWhileRendering) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.json", native_scene()), out = folder.path("out.exr");
+    RunOptions options;
+    options.signal_when = [&](const std::string &) { return std::filesystem::exists(out) ? SIGKILL : 0; };
+    const Finished run = run_program({"render", scene, "--spp", "16000000", "--save-every", "0.2", "-o", out}, options);
+    EXPECT_EQ(run.signal, SIGKILL) << run.err;
+    const Read picture = read_picture(out);
+    EXPECT_EQ(picture.text("brandung:unfinished"), "true");
+    EXPECT_EQ(picture.text("brandung:interrupted"), "");
+    EXPECT_NE(picture.text("brandung:samples").find(" of 12288000000 samples"), std::string::npos) << picture.text("brandung:samples");
+    // The middle is as bright as with one sample, not darker by those that are missing.
+    EXPECT_GT(picture.values[3 * (12 * 32 + 16)], 0.1f);
 }
 
 TEST(Outputs, AnOldPictureIsReplaced) {

@@ -30,14 +30,16 @@ TEST(Cli, HelpNamesEverySubcommandOnStandardOutput) {
     const Finished run = run_program({"--help"});
     expect_success(run);
     EXPECT_EQ(run.err, "");
-    for (const char *command : {"render", "info", "devices"}) EXPECT_NE(run.out.find(command), std::string::npos) << command;
+    for (const char *command : {"render", "info", "devices", "compare"}) EXPECT_NE(run.out.find(command), std::string::npos) << command;
 }
 
 TEST(Cli, HelpOfRenderNamesEveryOption) {
     const Finished run = run_program({"render", "--help"});
     expect_success(run);
-    for (const char *option : {"--output", "--integrator", "--accelerator", "--spp", "--size", "--seed", "--pixel", "--camera", "--max-depth",
-                               "--light-samples", "--shadows", "--set", "--device", "--batch", "--threads", "--stats", "--explain", "--quiet"})
+    for (const char *option : {"--output", "--integrator", "--accelerator",   "--spp",     "--size",    "--seed",       "--pixel",
+                               "--camera", "--max-depth",  "--light-samples", "--shadows", "--set",     "--crop",       "--aov",
+                               "--filter", "--exposure",   "--tone",          "--bits",    "--quality", "--save-every", "--device",
+                               "--batch",  "--threads",    "--stats",         "--explain", "--quiet",   "--preview",    "--preview-hold"})
         EXPECT_NE(run.out.find(option), std::string::npos) << option;
 }
 

@@ -1,4 +1,5 @@
 #include "tools/preview/preview.h"
+#include "scene/tone.h"
 
 #include <algorithm>
 #include <thread>
@@ -20,11 +21,13 @@ constexpr double seconds_to_see_the_end = 2;
 
 Preview::Preview(const std::vector<PreviewTarget> &targets, const Scene &scene, const std::string &name, uint batch) {
     const FilmSettings &film = scene.film;
-    state_.subject = {scene.file, scene.integrator.type, "", "", film.width, film.height, film.spp, batch, film.exposure};
-    state_.progress.samples_total = std::uint64_t{film.width} * film.height * film.spp;
+    const uint width = film.window().width(), height = film.window().height();
+    automatic_exposure_ = film.automatic_exposure;
+    state_.subject = {scene.file, scene.integrator.type, "", "", width, height, film.spp, batch, {.exposure = film.exposure, .tone = film.tone}};
+    state_.progress.samples_total = std::uint64_t{width} * height * film.spp;
     for (const PreviewTarget &target : targets) {
         if (target.kind == PreviewTarget::tev) {
-            viewers_.push_back(std::make_unique<TevViewer>(target, name, film.width, film.height));
+            viewers_.push_back(std::make_unique<TevViewer>(target, name, width, height));
         } else {
             auto web = std::make_unique<WebViewer>(target.port);
             web_.push_back(web.get());
@@ -114,6 +117,7 @@ void Preview::update_counts(const Job &job) {
 void Preview::take_picture(Film &film) {
     double cost = 0;
     timed(cost, [&] { state_.picture = std::make_shared<Picture>(Picture{film.width(), film.height(), film.develop(), {}}); });
+    if (automatic_exposure_) state_.subject.style.exposure = automatic_exposure(state_.picture->pixels);
     next_picture_ = seconds_now() + std::max(seconds_between_pictures, cost * pictures_share);
 }
 

@@ -45,6 +45,7 @@ private:
     std::vector<std::unique_ptr<PreviewViewer>> viewers_;
     std::vector<const WebViewer *> web_;  ///< those of `viewers_` that are pages
     PreviewState state_;
+    bool automatic_exposure_ = false;
     Pace pace_;
     std::deque<WaveStep> steps_;
     double next_state_ = 0, next_picture_ = 0;  ///< no earlier than these [s]

@@ -14,8 +14,8 @@ namespace brandung {
 struct PreviewSubject {
     std::string scene, integrator, accelerator, device;
     uint width = 0, height = 0, spp = 0;
-    uint batch = 0;      ///< rays per wave
-    float exposure = 0;  ///< of pictures of 8 bits [EV]
+    uint batch = 0;           ///< rays per wave
+    PictureStyle style = {};  ///< of pictures of 8 bits
 };
 
 enum class PreviewPhase { preparing, rendering, done, interrupted, failed };

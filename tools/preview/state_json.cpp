@@ -33,7 +33,7 @@ json state_json(const PreviewState &state) {
             {"width", subject.width},
             {"height", subject.height},
             {"spp", subject.spp},
-            {"exposure", subject.exposure},
+            {"exposure", subject.style.exposure},
             {"phase", phase_name(state.phase)},
             {"doing", text_or_null(state.doing)},
             {"samples_done", state.progress.samples_done},

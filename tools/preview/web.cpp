@@ -158,7 +158,9 @@ SharedState WebViewer::state_with_fresh_picture() {
 std::string WebViewer::png(const PreviewState &state, float exposure) {
     const std::lock_guard lock(encoding_);
     if (encoded_ != state.picture || encoded_exposure_ != exposure) {
-        const auto bytes = png_bytes(*state.picture, state.subject.exposure + exposure);
+        PictureStyle style = state.subject.style;
+        style.exposure += exposure;
+        const auto bytes = png_bytes(*state.picture, style);
         png_.assign(bytes.begin(), bytes.end());
         encoded_ = state.picture, encoded_exposure_ = exposure;
     }

@@ -9,6 +9,7 @@
 #include "scene/filters/filter.h"
 #include "scene/formats/format.h"
 #include "scene/lights/light.h"
+#include "scene/tone.h"
 #include "tests/scene/formats/temporary_file.h"
 
 namespace brandung {
@@ -181,6 +182,20 @@ TEST(Native, FiltersHaveRadiiOfTheirOwn) {
               ": /film/filter_radius (set on the command line): must be at most 100 pixels, got 101");
     EXPECT_EQ(error_of(small_scene, {"film.filter=tent", "film.spp=1", "film.pixel=corner"}),
               ": /film/filter (set on the command line): pixels at corners take no filter but the box");
+}
+
+TEST(Native, ReadsCropExposureAndTone) {
+    const FilmSettings film = read_text(small_scene, {"film.crop=[1,2,64,48]", "film.exposure=auto", "film.tone=filmic"}).film;
+    EXPECT_EQ(film.window(), (Window{1, 2, 64, 48}));
+    EXPECT_TRUE(film.automatic_exposure);
+    EXPECT_EQ(tone_kinds()[film.tone].name, std::string("filmic"));
+    EXPECT_EQ(read_text(small_scene).film.window(), (Window{0, 0, 64, 48}));
+    const auto error = [](const std::string &setting) { return error_of(small_scene, {"film." + setting}); };
+    EXPECT_EQ(error("crop=[1,2,3]"), ": /film/crop (set on the command line): must be an array of 4 numbers, got one of 3");
+    EXPECT_EQ(error("crop=[1,2,1,4]"), ": /film/crop (set on the command line): has no pixels: must be X0, Y0, X1, Y1 with X0 < X1 and Y0 < Y1");
+    EXPECT_EQ(error("crop=[1,2,65,4]"), ": /film/crop (set on the command line): reaches beyond the picture of 64 x 48 pixels");
+    EXPECT_EQ(error("exposure=manual"), ": /film/exposure (set on the command line): must be a number or \"auto\", got \"manual\"");
+    EXPECT_EQ(error("tone=film"), ": /film/tone (set on the command line): must be one of srgb, filmic, none, got \"film\"");
 }
 
 TEST(Native, RefusesBadSettings) {

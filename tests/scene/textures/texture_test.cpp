@@ -13,7 +13,7 @@ namespace brandung {
 namespace {
 
 std::string picture_file(const TemporaryFile &file, const std::vector<vec3> &pixels) {
-    write_picture(file.path, {static_cast<uint>(pixels.size()), 1, pixels, {}}, 0);
+    write_picture(file.path, {static_cast<uint>(pixels.size()), 1, pixels, {}});
     return file.path;
 }
 

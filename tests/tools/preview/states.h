@@ -13,7 +13,7 @@ inline std::shared_ptr<const Picture> test_picture(uint width, uint height, floa
 
 inline SharedState test_state(std::shared_ptr<const Picture> picture, PreviewPhase phase = PreviewPhase::rendering) {
     PreviewState state;
-    state.subject = {"scenes/a.json", "whitted", "wide_bvh", "a device", 300, 140, 4, 1000, 0};
+    state.subject = {"scenes/a.json", "whitted", "wide_bvh", "a device", 300, 140, 4, 1000};
     state.phase = phase;
     state.progress = {50, 200, 1.5};
     state.samples_per_second = 40, state.rays_per_second = 100, state.seconds_left = 3.75;

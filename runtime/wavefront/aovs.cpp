@@ -1,0 +1,94 @@
+#include "runtime/wavefront/aovs.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace brandung {
+namespace {
+
+/// Bytes of a pixel on the device.
+std::size_t pixel_bytes(const AovKind &kind) {
+    return kind.what == AovKind::mean ? sizeof(AovPixel) : kind.what == AovKind::number ? sizeof(uint) : 0;
+}
+
+void check_memory(const Device &device, const FilmSettings &film) {
+    std::size_t bytes = 0;
+    for (const uint kind : film.aovs) bytes += film.window().pixels() * pixel_bytes(aov_kinds()[kind]);
+    if (bytes > device.info().memory)
+        throw Error(fmt::format("AOVs of {} x {} pixels take {} MiB, more than '{}' has ({} MiB)", film.window().width(), film.window().height(),
+                                bytes >> 20, device.info().name, device.info().memory >> 20));
+}
+
+/// 2^38 is more than any coordinate of a hit and any distance from the eye to one: the diagonal of a cube is less than twice its edge.
+float scale_of_lengths(const CompiledScene &compiled, const CameraDescription &camera) {
+    const vec3 from = glm::abs(camera.from);
+    const float reach = 2 * (compiled.header.world.extent + std::max({from.x, from.y, from.z}));
+    return reach > 0 ? std::exp2(38 - std::ceil(std::log2(reach))) : 1;
+}
+
+constexpr float scale_of_units = 0x1p32f;
+
+std::string file_of(const AovKind &kind) { return fmt::format("kernels/aovs/{}.cl", kind.name); }
+
+/// One per component in use.
+void add_channels(const AovKind &kind, const std::vector<AovPixel> &pixels, float scale, std::vector<PictureChannel> &channels) {
+    for (std::size_t c = 0; c < kind.channels.size(); ++c) {
+        PictureChannel &channel = channels.emplace_back(PictureChannel{kind.channels[c], {}, {}});
+        for (const AovPixel &pixel : pixels)
+            channel.floats.push_back(pixel.count ? static_cast<float>(static_cast<double>(pixel.sums[c]) / pixel.count / static_cast<double>(scale))
+                                                 : kind.nothing);
+    }
+}
+
+}  // namespace
+
+Aovs::Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, const DeviceScene &on_device, const CameraDescription &camera,
+           uint batch, std::size_t largest_band) {
+    const Window window = scene.film.window();
+    check_memory(device, scene.film);
+    const std::size_t largest = std::min<std::size_t>(largest_band, device.info().largest_allocation);
+    for (const uint number : scene.film.aovs) {
+        const AovKind &kind = aov_kinds()[number];
+        const float scale = kind.length ? scale_of_lengths(compiled, camera) : scale_of_units;
+        if (kind.what == AovKind::mean)
+            means_.push_back({kind, scale, Kernel(device, file_of(kind), "record_aov", on_device.lists()), Buffer<vec3>(device, batch),
+                              Bands<AovPixel>(device, window, largest)});
+        if (kind.what == AovKind::number)
+            numbers_.emplace(Numbers{kind, Kernel(device, "kernels/stages/record_primitives.cl", "record_primitives", on_device.lists()),
+                                     Bands<uint>(device, window, largest)});
+        if (kind.what == AovKind::count) count_ = &kind;
+    }
+    if (!means_.empty()) add_.emplace(device, "kernels/stages/add_aov.cl", "add_aov", Sources());
+}
+
+void Aovs::record(const Batch &batch, const DeviceScene &scene, const Wave &wave, const Buffer<Hit> &hits, const Buffer<SurfacePoint> &points,
+                  const Buffer<Tints> &tints) {
+    for (Mean &mean : means_) mean.record(wave.count, scene, wave, wave.level.rays, hits, points, tints, mean.values);
+    if (!numbers_) return;
+    for (Band<uint> &band : numbers_->primitives) numbers_->record(wave.count, batch.params, band.params, wave, batch.pixels, hits, band.pixels);
+}
+
+void Aovs::add(const Batch &batch) {
+    for (Mean &mean : means_)
+        for (Band<AovPixel> &band : mean.sums)
+            (*add_)(batch.params.pixels, batch.params, band.params, mean.scale, batch.pixels, mean.values, band.pixels);
+}
+
+std::vector<PictureChannel> Aovs::develop(const Film &film) const {
+    std::vector<PictureChannel> channels;
+    for (const Mean &mean : means_) add_channels(mean.kind, mean.sums.read(), mean.scale, channels);
+    if (numbers_) channels.push_back({numbers_->kind.channels[0], {}, numbers_->primitives.read()});
+    if (!count_) return channels;
+    PictureChannel &counts = channels.emplace_back(PictureChannel{count_->channels[0], {}, {}});
+    for (const FilmPixel &pixel : film.read()) counts.numbers.push_back(pixel.counts[0] + pixel.counts[1]);
+    return channels;
+}
+
+std::size_t Aovs::bytes() const {
+    std::size_t bytes = numbers_ ? numbers_->primitives.bytes() : 0;
+    for (const Mean &mean : means_) bytes += mean.values.bytes() + mean.sums.bytes();
+    return bytes;
+}
+
+}  // namespace brandung

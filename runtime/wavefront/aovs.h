@@ -1,0 +1,55 @@
+/// Aovs: what is recorded of each sample's first hit beside its radiance, as exact sums in fixed point.
+#pragma once
+#include <limits>
+#include <list>
+#include <optional>
+
+#include "runtime/opencl/kernel.h"
+#include "runtime/wavefront/bands.h"
+#include "runtime/wavefront/batch.h"
+#include "runtime/wavefront/device_scene.h"
+#include "runtime/wavefront/film.h"
+#include "runtime/wavefront/levels.h"
+#include "scene/aovs/aov.h"
+#include "scene/image.h"
+#include "scene/scene.h"
+
+namespace brandung {
+
+class Aovs {
+public:
+    /// Those that the scene's film asks for, empty. `batch`: rays per wave. Throws Error if the device's memory is too small, and BuildError.
+    Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, const DeviceScene &on_device, const CameraDescription &camera, uint batch,
+         std::size_t largest_band = std::numeric_limits<std::size_t>::max());
+
+    /// Takes note of a wave of camera rays, whose slots are in the order of their list.
+    void record(const Batch &batch, const DeviceScene &scene, const Wave &wave, const Buffer<Hit> &hits, const Buffer<SurfacePoint> &points,
+                const Buffer<Tints> &tints);
+    /// Adds what the waves of a batch have recorded.
+    void add(const Batch &batch);
+    /// In the order of aov_kinds(), channel by channel; counts of samples are the film's.
+    std::vector<PictureChannel> develop(const Film &film) const;
+
+    std::size_t bytes() const;
+
+private:
+    /// A mean over samples.
+    struct Mean {
+        const AovKind &kind;
+        float scale;  ///< a value of 1 in fixed point
+        Kernel record;
+        Buffer<vec3> values;  ///< by slot
+        Bands<AovPixel> sums;
+    };
+    struct Numbers {
+        const AovKind &kind;
+        Kernel record;
+        Bands<uint> primitives;
+    };
+    std::list<Mean> means_;
+    std::optional<Kernel> add_;  ///< for means
+    std::optional<Numbers> numbers_;
+    const AovKind *count_ = nullptr;
+};
+
+}  // namespace brandung

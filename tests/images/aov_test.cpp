@@ -1,0 +1,143 @@
+/// AOVs of whole renders.
+#include <gtest/gtest.h>
+
+#include "scene/bsdfs/bsdf.h"
+#include "tests/support/probe.h"
+#include "tests/support/rendering.h"
+#include "tests/support/scenes.h"
+
+namespace brandung {
+namespace {
+
+using Channels = std::map<std::string, PictureChannel>;
+
+/// Renders with all AOVs.
+Channels render_aovs(Scene &scene, uint batch = 32768, std::size_t largest_band = std::numeric_limits<std::size_t>::max()) {
+    Device &device = test_device();
+    scene.film.aovs.clear();
+    for (uint kind = 0; kind < aov_kinds().size(); ++kind) scene.film.aovs.push_back(kind);
+    const CompiledScene compiled = compile(scene);
+    const DeviceScene on_device(device, compiled);
+    Film film(device, scene.film.window());
+    Aovs aovs(device, scene, compiled, on_device, scene.cameras[0], batch, largest_band);
+    Renderer renderer(device, scene, compiled, on_device, scene.cameras[0], {.batch = batch, .on_progress = nullptr});
+    EXPECT_TRUE(renderer.render(film, {}, &aovs).complete);
+    Channels channels;
+    for (const PictureChannel &channel : aovs.develop(film)) channels[channel.name] = channel;
+    return channels;
+}
+
+vec3 at(const Channels &channels, std::size_t pixel, const char *x, const char *y, const char *z) {
+    return {channels.at(x).floats.at(pixel), channels.at(y).floats.at(pixel), channels.at(z).floats.at(pixel)};
+}
+
+Scene camera_at(vec3 from, uint width, uint height, uint spp) {
+    Scene scene;
+    scene.cameras.push_back({.name = "camera", .from = from, .at = {0, 0, 0}, .fov = glm::radians(40.0f)});
+    scene.film.width = width, scene.film.height = height, scene.film.spp = spp;
+    scene.background = {0.25f, 2, 0};
+    return scene;
+}
+
+/// A sphere about the origin: what a ray from the eye hits is on it, the normal leads there from the origin, and its colours are the material's.
+TEST(Aovs, OfASphereFollowFromItsGeometry) {
+    const vec3 eye = {1, 2, 4};
+    Scene scene = camera_at(eye, 33, 25, 1);
+    Material material =
+        make_material(Whitted{.diffuse = {0.5f, 0.25f, 0.125f}, .specular = Spectrum(0.9f), .reflection = {0.25f, 0, 0.5f}, .exponent = 10});
+    material.emission = {0, 0, 0.75f};
+    add_material(scene, matte(0.5f));
+    add_triangle(scene, 0, {50, 0, 0}, {51, 0, 0}, {50, 1, 0});  // out of sight: the sphere is number 1
+    add_sphere(scene, add_material(scene, material), {0, 0, 0}, 1.5f);
+    const Channels channels = render_aovs(scene);
+    std::size_t hits = 0;
+    for (std::size_t i = 0; i < 33 * 25; ++i) {
+        const vec3 normal = at(channels, i, "N.X", "N.Y", "N.Z"), albedo = at(channels, i, "albedo.R", "albedo.G", "albedo.B");
+        const vec3 position = at(channels, i, "P.X", "P.Y", "P.Z");
+        const float depth = channels.at("depth.Z").floats[i];
+        ASSERT_EQ(channels.at("samples").numbers[i], 1u);
+        if (std::isinf(depth)) {
+            EXPECT_EQ(normal, vec3(0));
+            EXPECT_EQ(position, vec3(0));
+            EXPECT_EQ(albedo, vec3(0.25f, 1, 0)) << "the background, at most 1";
+            EXPECT_EQ(channels.at("primitive").numbers[i], NO_HIT);
+            continue;
+        }
+        ++hits;
+        EXPECT_NEAR(glm::length(position), 1.5f, 2e-6f);
+        EXPECT_NEAR(glm::length(position - eye), depth, 2e-6f);
+        EXPECT_NEAR(glm::length(normal - position / 1.5f), 0, 3e-6f);
+        EXPECT_EQ(albedo, vec3(0.75f, 0.25f, 1));
+        EXPECT_EQ(channels.at("primitive").numbers[i], 1u);
+    }
+    // tan asin(1.5 / sqrt 21) = 0.3464 of half a height of 0.3640: a circle of 0.4755 pixels' height in radius, 25 high.
+    EXPECT_NEAR(double(hits), M_PI * std::pow(0.3464 / 0.3640 * 12.5, 2), 25);
+}
+
+/// From within glass its surface is seen from the side away from its outward normal.
+TEST(Aovs, NormalsFaceTheEyeInsideGlassToo) {
+    Scene scene = camera_at({0.5f, 0.25f, 0.1f}, 8, 8, 1);
+    add_sphere(scene, add_material(scene, glass(1.5f)), {0, 0, 0}, 2);
+    const Channels channels = render_aovs(scene);
+    for (std::size_t i = 0; i < 64; ++i)
+        EXPECT_NEAR(glm::length(at(channels, i, "N.X", "N.Y", "N.Z") + at(channels, i, "P.X", "P.Y", "P.Z") / 2.0f), 0, 3e-6f);
+}
+
+Scene soup_scene(uint spp) {
+    Scene scene = camera_at({0.2f, 0.4f, 3}, 21, 17, spp);
+    add_soup(scene, add_material(scene, matte(0.7f)), {.of_each = 20, .size = 0.5f, .seed = 1});
+    add_soup(scene, add_material(scene, glass(1.5f)), {.of_each = 5, .size = 0.5f, .seed = 2});
+    for (int i = 0; i < 9; ++i) scene.lights.push_back(point_light({2, 3, float(i)}, Spectrum(1)));
+    return scene;
+}
+
+void expect_equal(const Channels &a, const Channels &b) {
+    for (const auto &[name, channel] : a) {
+        EXPECT_EQ(channel.floats, b.at(name).floats) << name;
+        EXPECT_EQ(channel.numbers, b.at(name).numbers) << name;
+    }
+}
+
+TEST(Aovs, HaveTheSameBitsForEveryBatchAndInBands) {
+    Scene scene = soup_scene(5);
+    const Channels expected = render_aovs(scene);
+    for (const uint batch : {1u, 7u, 333u}) expect_equal(expected, render_aovs(scene, batch));
+    expect_equal(expected, render_aovs(scene, 32768, 2 * 21 * sizeof(AovPixel)));
+}
+
+TEST(Aovs, OfACropAreThoseOfTheWhole) {
+    Scene scene = soup_scene(2);
+    const Channels whole = render_aovs(scene);
+    scene.film.crop = Window{4, 3, 17, 11};
+    for (const auto &[name, channel] : render_aovs(scene))
+        for (uint y = 3; y < 11; ++y)
+            for (uint x = 4; x < 17; ++x) {
+                const std::size_t i = (y - 3) * 13 + x - 4, j = y * 21 + x;
+                if (channel.numbers.empty()) {
+                    ASSERT_EQ(channel.floats[i], whole.at(name).floats[j]) << name;
+                } else {
+                    ASSERT_EQ(channel.numbers[i], whole.at(name).numbers[j]) << name;
+                }
+            }
+}
+
+/// A wall at z = 0 covers the picture's left half; pixels on its edge have hits and misses.
+TEST(Aovs, DepthAndPositionAreMeansOfHitsNormalAndAlbedoOfAllSamples) {
+    Scene scene = camera_at({0, 0, 4}, 3, 1, 64);
+    scene.background = Spectrum(0);
+    add_triangle(scene, add_material(scene, matte(0.5f)), {0, -1000, 0}, {0, 1000, 0}, {-1000, 0, 0});
+    const Channels channels = render_aovs(scene);
+    // The middle pixel is halved, so that half of each stratified set hits: grids of 8 x 4 and 4 x 8 cells are cut between columns.
+    EXPECT_EQ(channels.at("N.Z").floats[1], 0.5f);
+    EXPECT_EQ(channels.at("albedo.R").floats[1], 0.25f);
+    EXPECT_GE(channels.at("depth.Z").floats[1], 4);
+    EXPECT_LT(channels.at("depth.Z").floats[1], 4.6f);
+    EXPECT_NEAR(channels.at("P.Z").floats[1], 0, 1e-6f);
+    EXPECT_LT(channels.at("P.X").floats[1], -0.1f);
+    EXPECT_EQ(channels.at("N.Z").floats[0], 1);
+    EXPECT_EQ(channels.at("N.Z").floats[2], 0);
+    EXPECT_TRUE(std::isinf(channels.at("depth.Z").floats[2]));
+}
+
+}  // namespace
+}  // namespace brandung
