@@ -23,6 +23,7 @@ std::vector<std::string> features_in_use(const Scene &scene, const CompiledScene
     used.push_back(std::string("filter ") + filter_kinds()[compiled.filter].name);
     for (const uint aov : scene.film.aovs) used.push_back(std::string("AOV ") + aov_kinds()[aov].name);
     used.push_back("integrator " + scene.integrator.type);
+    if (compiled.instance_count > 0) used.push_back(fmt::format("{} instances of {} groups", compiled.instance_count, compiled.group_count));
     if (compiled.reflects) used.push_back("reflected rays");
     if (compiled.transmits) used.push_back(fmt::format("refracted rays, lists of {} media", compiled.interior_size));
     if (compiled.filters_shadows) used.push_back("filtered shadows");
@@ -35,6 +36,7 @@ std::vector<Skipped> kinds_not_in_use(const CompiledScene &compiled) {
     for (const PrimitiveKind *kind : primitive_kinds())
         if (std::find(compiled.primitives.begin(), compiled.primitives.end(), kind) == compiled.primitives.end())
             skipped.push_back({std::string("primitive ") + kind->name, "the scene has none"});
+    if (compiled.instance_count == 0) skipped.push_back({"instances", "the scene has none"});
     for (uint kind = 0; kind < light_kinds().size(); ++kind)
         if (std::find(compiled.lights.begin(), compiled.lights.end(), kind) == compiled.lights.end())
             skipped.push_back({std::string("light ") + light_kinds()[kind].name, "the scene has none"});
@@ -81,10 +83,8 @@ json kernel_statistics(const Profile &profile) {
 }
 
 json scene_contents(const Scene &scene, const CompiledScene &compiled) {
-    json contents = {{"primitives", compiled.primitive_count},
-                     {"triangles", 0},
-                     {"lights", 0},
-                     {"materials", scene.materials.size()},
+    json contents = {{"primitives", compiled.primitive_count}, {"triangles", 0}, {"groups", compiled.group_count},
+                     {"instances", compiled.instance_count},   {"lights", 0},    {"materials", scene.materials.size()},
                      {"cameras", scene.cameras.size()}};
     for (const auto &[name, count] : compiled.light_counts) {
         contents["light_kinds"][name] = count;

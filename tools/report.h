@@ -6,7 +6,7 @@
 
 namespace brandung {
 
-/// {"primitives": 12, "triangles": 8, "lights": 1, "materials": 2, "cameras": 1, "kinds": {"sphere": 4, "triangle": 8},
+/// {"primitives": 12, "triangles": 8, "groups": 0, "instances": 0, "lights": 1, "materials": 2, "cameras": 1, "kinds": {"sphere": 4, "triangle": 8},
 /// "light_kinds": {"point": 1}}: what is in the scene.
 nlohmann::json scene_contents(const Scene &scene, const CompiledScene &compiled);
 /// {"camera": 12, "camera_hits": 8, ..., "total": 40}: rays, and the hits of each kind.

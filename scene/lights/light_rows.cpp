@@ -8,8 +8,13 @@ namespace brandung {
 namespace {
 
 bool shows_light(const Scene &scene) {
-    return std::any_of(scene.shapes.begin(), scene.shapes.end(),
-                       [&](const auto &shape) { return (scene.materials[shape->material].record.flags & MATERIAL_LIT) != 0; });
+    const auto is_lit = [&](const auto &shape) { return (scene.materials[shape->material].record.flags & MATERIAL_LIT) != 0; };
+    const auto any_lit = [&](const auto &shapes) { return std::any_of(shapes.begin(), shapes.end(), is_lit); };
+    const auto instance_lit = [&](const PlacedGroup &placed) {
+        return placed.material != NO_MATERIAL ? (scene.materials[placed.material].record.flags & MATERIAL_LIT) != 0
+                                              : any_lit(scene.groups[placed.group].shapes);
+    };
+    return any_lit(scene.shapes) || std::any_of(scene.instances.begin(), scene.instances.end(), instance_lit);
 }
 
 }  // namespace
@@ -19,6 +24,8 @@ LightRows make_light_rows(const Scene &scene) {
     lights.rows = scene.lights;
     for (const Light &light : scene.lights) ++lights.counts[light_kinds()[light.kind].name];
     if (!shows_light(scene)) return lights;
+    for (const std::size_t group : groups_in_use(scene))
+        for (const auto &shape : scene.groups[group].shapes) lights.in_groups += scene.materials[shape->material].record.emission != Spectrum(0);
     for (const auto &shape : scene.shapes) {
         const Spectrum radiance = scene.materials[shape->material].record.emission;
         if (radiance == Spectrum(0)) continue;

@@ -12,6 +12,7 @@ namespace brandung {
 struct LightRows {
     std::vector<Light> rows;
     std::vector<EmissiveFace> faces;     ///< of emissive meshes
+    uint in_groups = 0;                  ///< emissive shapes in groups: they are seen, but light nothing
     uint dark = 0;                       ///< emissive shapes of which the integrator takes no samples
     std::map<std::string, uint> counts;  ///< of lights and emissive shapes, by kind
 };

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <regex>
 #include <set>
+#include <utility>
 
 #include "runtime/opencl/embedded_kernels.h"
 #include "runtime/wavefront/specialization.h"
@@ -118,6 +119,15 @@ TEST(Absence, ShadowsAreNotFilteredUnlessAskedFor) {
     opaque.integrator.filtered_shadows = true;
     expect_absent(opaque, {"core/shadow_filter.cl"});
     expect_present(everything(), "kernels/integrators/whitted.cl", "core/shadow_filter.cl");
+}
+
+TEST(Absence, WithoutInstancesThereIsOneLevel) {
+    expect_absent(everything(), {"primitives/instance.cl", "two_levels", "group_closest_hit", "instanceblock", "packet_in_group"});
+    Scene scene = everything();
+    add_group(scene, "group", std::exchange(scene.shapes, {}));
+    ASSERT_FALSE(add_instance(scene, 0, AffineMap()));
+    expect_present(scene, "kernels/stages/intersect.cl", "group_closest_hit");
+    expect_present(scene, "kernels/stages/evaluate_surfaces.cl", "primitives/instance.cl");
 }
 
 TEST(Absence, OtherAcceleratorsAreNotThere) {
