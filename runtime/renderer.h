@@ -34,6 +34,10 @@ public:
     /// Renders all samples into the film. Throws Error if the first batch fails; if a later one does, what there is so far is kept.
     RenderEnd render(Film &film);
 
+    /// Renders samples first ... first + samples of one pixel, at most as many as rays in a wave, into the film, and gives what was added to
+    /// it. Shows the waves to `observer` if there is one.
+    std::vector<Sample> render_pixel(Film &film, uint x, uint y, uint first, uint samples, WaveObserver *observer);
+
     const Integrator &integrator() const { return *integrator_; }
     const Filter &filter() const { return filter_; }
     /// Bytes of all buffers beside scene and film, at most.
@@ -41,6 +45,7 @@ public:
 
 private:
     bool render_batches(Film &film, RenderProgress &progress);
+    void render_batch(Film &film, const std::vector<uint> &pixels, uint first, uint samples, WaveObserver *observer);
 
     Device &device_;
     const FilmSettings film_settings_;

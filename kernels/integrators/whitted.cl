@@ -102,9 +102,9 @@ typedef struct {
     float diffuse[3][ITEMS_PER_WORK_ITEM], specular[3][ITEMS_PER_WORK_ITEM], exponent[ITEMS_PER_WORK_ITEM], sum[3][ITEMS_PER_WORK_ITEM];
 } ShadeColumns;
 
-/// contributions[i]: what hit i adds to its sample by the `lights` lights of this block whose visible[row * stride + i] is set; the first
-/// block also brings what needs no light: background, emission, ambient light.
-kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint lights, uint stride, const global Path *restrict paths,
+/// contributions[i]: what hit i adds to its sample by the `lights` lights of this block whose visible[row * stride + i] is set, and where
+/// `with_unlit` is 1 by what needs no light: background, emission, ambient light.
+kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint with_unlit, uint first_light, uint lights, uint stride, const global Path *restrict paths,
                           const global SurfacePoint *restrict points, const global vec3 *restrict directions, const global uchar *restrict visible,
                           global Spectrum *restrict contributions) {
     const Scene scene = SCENE;
@@ -118,7 +118,7 @@ kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint ligh
             const global Material *material = materials + points[i].material;
             const Spectrum own = plus(load(&material->emission), times(ambient, bsdf_ambient(material)));
             const Spectrum unlit = where((flags & SURFACE_HIT) != 0u, own, background);
-            const Spectrum sum = where(first_light == 0u, unlit, black);
+            const Spectrum sum = where(with_unlit != 0u, unlit, black);
             const Phong phong = bsdf_phong(material);
             const uint c = i - begin;
             columns.sum[0][c] = sum.x, columns.sum[1][c] = sum.y, columns.sum[2][c] = sum.z;
