@@ -16,7 +16,7 @@ namespace {
 
 struct Options : SceneOptions {
     std::string place, sample = "0";
-    bool as_json = false;
+    bool as_json = false, brief = false;
 };
 
 /// Reads the whole of `text` as a number; false if it is none.
@@ -67,10 +67,11 @@ void add_inspect(CLI::App &app, int &) {
     add_scene_options(*command, *options);
     command->add_option("PIXEL", options->place, "X,Y: the pixel, from 0,0 at the top left")->required();
     command->add_option("--sample,--samples", options->sample, "number of the sample to show, from 0 on, or 'all'")->capture_default_str();
+    command->add_flag("--brief", options->brief, "print the tree only, a line per ray");
     command->add_flag("--json", options->as_json, "print JSON");
     command->callback([options] {
         const nlohmann::json inspection = inspect(*options);
-        print_result(options->as_json ? inspection.dump(2) + "\n" : inspection_text(inspection));
+        print_result(options->as_json ? inspection.dump(2) + "\n" : inspection_text(inspection, options->brief));
     });
 }
 

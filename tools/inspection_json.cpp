@@ -14,7 +14,7 @@ namespace {
 using nlohmann::json;
 
 const char *const ray_kinds[RAY_KINDS] = {"camera", "reflected", "refracted", "shadow"};
-const char *const channel_names[] = {"reflected", "refracted"};
+const char *const child_kinds[] = {"reflected", "refracted"};
 
 json decimal(float value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 std::string hex(float value) { return fmt::format("{:a}", value); }
@@ -47,7 +47,7 @@ public:
     }
 
     json sample(const InspectedSample &sample) {
-        total_ = {};
+        total_ = {}, rays_ = 0;
         json tree = ray(sample.ray);
         return {{"number", sample.number}, {"ray", tree}, {"sum", fixed(widened(sample.sum))}, {"weighed", fixed(widened(sample.weighed))}};
     }
@@ -148,7 +148,8 @@ private:
 
     json child(const TracedRay &parent, std::size_t j) {
         const TracedChild &child = parent.children[j];
-        return {{"kind", channel_names[j]},
+        return {{"kind", child_kinds[j]},
+                {"possible", can_spawn(parent, j, material_of(parent))},
                 {"spawned", child.traced != nullptr},
                 {"why_not", why_not_spawned(parent, j, material_of(parent), scene_.integrator)},
                 {"weight", vector(child.weight)},
@@ -157,7 +158,9 @@ private:
     }
 
     json ray(const TracedRay &ray) {
-        json result = {{"kind", ray_kinds[RAY_KIND(ray.ray.tag)]},
+        const Total before = total_;
+        json result = {{"number", rays_++},
+                       {"kind", ray_kinds[RAY_KIND(ray.ray.tag)]},
                        {"depth", ray.path.depth},
                        {"throughput", vector(ray.path.throughput)},
                        {"origin", vector(ray.ray.origin)},
@@ -170,19 +173,24 @@ private:
                        {"lights", json::array()},
                        {"contributions", contributions(ray)},
                        {"children", json::array()}};
-        if (!ray.hits()) return result;
+        if (ray.hits()) add_hit(ray, result);
+        result["subtotal"] = fixed({total_[0] - before[0], total_[1] - before[1], total_[2] - before[2]});
+        return result;
+    }
+
+    void add_hit(const TracedRay &ray, json &result) {
         result["surface"] = surface(ray);
         if (compiled_.transmits) result["interface"] = interface(ray);
         for (const TracedLightBlock &block : ray.lights)
             for (const TracedLight &each : block.lights) result["lights"].push_back(light(ray, each));
         for (std::size_t j = 0; j < ray.children.size(); ++j) result["children"].push_back(child(ray, j));
-        return result;
     }
 
     const Scene &scene_;
     const CompiledScene &compiled_;
     std::vector<uint> first_primitives_;  ///< by shape
-    Total total_{};
+    Total total_{};                       ///< of the sample so far
+    uint rays_ = 0;                       ///< of the sample so far
 };
 
 json pixel_value(const InspectedPixel &pixel) {

@@ -2,45 +2,52 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 namespace brandung {
 namespace {
 
 using nlohmann::json;
 
-std::string number(const json &decimal) { return decimal.is_null() ? "inf" : fmt::format("{:g}", decimal.get<double>()); }
+std::string text_of(const json &value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+std::string decimal(const json &value, const json &hex) { return value.is_null() ? text_of(hex) : fmt::format("{:g}", value.get<double>()); }
 
-/// "1 0.5 0 [0x1p+0 0x1p-1 0x0p+0]"; of equal components one, with as many signs as there are.
+/// "0.5 1 0 [0x1p-1 0x1p+0 0x0p+0]"; three equal ones, bit for bit, only once.
 std::string floats(const json &value) {
-    if (!value["decimal"].is_array())
-        return fmt::format("{} [{}]", value["decimal"].is_null() ? value["hex"].get<std::string>() : number(value["decimal"]),
-                           value["hex"].get<std::string>());
-    std::string decimals, hexes;
-    for (std::size_t i = 0; i < 3; ++i) {
-        decimals += (i > 0 ? " " : "") + number(value["decimal"][i]);
-        hexes += (i > 0 ? " " : "") + value["hex"][i].get<std::string>();
-    }
-    return decimals + " [" + hexes + "]";
-}
-std::string fixed_point(const json &value) {
-    return fmt::format("{} {} {}", value[0].get<std::string>(), value[1].get<std::string>(), value[2].get<std::string>());
+    const json &decimals = value["decimal"], &hexes = value["hex"];
+    if (!decimals.is_array()) return fmt::format("{} [{}]", decimal(decimals, hexes), text_of(hexes));
+    if (hexes[0] == hexes[1] && hexes[1] == hexes[2]) return fmt::format("{} each [{}]", decimal(decimals[0], hexes[0]), text_of(hexes[0]));
+    std::string left, right;
+    for (std::size_t i = 0; i < 3; ++i) left += decimal(decimals[i], hexes[i]) + " ", right += (i > 0 ? " " : "") + text_of(hexes[i]);
+    return left + "[" + right + "]";
 }
 bool is_black(const json &value) { return value["decimal"] == json({0.0f, 0.0f, 0.0f}); }
 
+std::string fixed_point(const json &value) { return fmt::format("{} {} {}", text_of(value[0]), text_of(value[1]), text_of(value[2])); }
+/// Of fixed point, in decimal.
+std::string radiance(const json &value) {
+    const auto channel = [](const json &text) { return fmt::format("{:.4g}", std::strtod(text_of(text).c_str(), nullptr) * 0x1p-32); };
+    return fmt::format("{} {} {}", channel(value[0]), channel(value[1]), channel(value[2]));
+}
+
 std::string primitive(const json &p) {
-    return fmt::format("primitive {}: {} {} of object {}, material \"{}\"", p["primitive"].get<uint64_t>(), p["kind"].get<std::string>(),
-                       p["primitive_of_object"].get<uint64_t>(), p["object"].get<uint64_t>(), p["material"].get<std::string>());
+    return fmt::format("primitive {}, \"{}\": {} {} of object {}", text_of(p["primitive"]), text_of(p["material"]), text_of(p["kind"]),
+                       text_of(p["primitive_of_object"]), text_of(p["object"]));
 }
 
 /// Lines of a tree.
 class Lines {
 public:
     void line(const std::string &what) { text_ += prefix_ + what + "\n"; }
-    void field(const std::string &name, const std::string &value) { line(fmt::format("{:<19}{}", name, value)); }
+    void field(const std::string &name, const std::string &value) { line(fmt::format("{:<18} {}", name, value)); }
     /// What `write` adds hangs on `what`.
     template <class Write> void branch(const std::string &what, bool last, Write write) {
         text_ += prefix_ + (last ? "└─ " : "├─ ") + what + "\n";
+        indented(last ? "   " : "│  ", write);
+    }
+    template <class Write> void indented(const std::string &by, Write write) {
         const std::size_t length = prefix_.size();
-        prefix_ += last ? "   " : "│  ";
+        prefix_ += by;
         write();
         prefix_.resize(length);
     }
@@ -50,109 +57,126 @@ private:
     std::string text_, prefix_;
 };
 
-void write_ray(Lines &lines, const json &ray);
+// ---- the tree, a line per ray ----------------------------------------------------------------------------------------------------------------
 
-void write_surface(Lines &lines, const json &surface) {
-    lines.field("point", floats(surface["point"]));
-    lines.field("  error", floats(surface["error"]));
-    lines.field("geometric normal", floats(surface["geometric_normal"]));
-    if (surface["shading_normal"] != surface["geometric_normal"]) lines.field("shading normal", floats(surface["shading_normal"]));
-    lines.field("side", fmt::format("the ray {} at cosine {}", surface["side"].get<std::string>(), floats(surface["cosine"])));
+std::string what_it_meets(const json &ray) {
+    if (ray["hit"].is_null()) return "meets nothing";
+    return fmt::format("{} \"{}\", {} {}", text_of(ray["surface"]["side"]), text_of(ray["hit"]["material"]), text_of(ray["hit"]["kind"]),
+                       text_of(ray["hit"]["primitive"]));
 }
+
+void write_tree(Lines &lines, const json &ray, bool last);
+
+void write_branch(Lines &lines, const json &child, bool last) {
+    if (child["spawned"])
+        write_tree(lines, child["ray"], last);
+    else
+        lines.branch(fmt::format("no {}: {}", text_of(child["kind"]), text_of(child["why_not"])), last, [] {});
+}
+
+/// The ray and what the surface that it hits could spawn.
+void write_tree(Lines &lines, const json &ray, bool last) {
+    const std::string line =
+        fmt::format("{} {} {}: adds {}", text_of(ray["number"]), text_of(ray["kind"]), what_it_meets(ray), radiance(ray["subtotal"]));
+    std::vector<const json *> children;
+    for (const json &child : ray["children"])
+        if (child["possible"]) children.push_back(&child);
+    lines.branch(line, last, [&] {
+        for (const json *child : children) write_branch(lines, *child, child == children.back());
+    });
+}
+
+// ---- all that is known of each ray -----------------------------------------------------------------------------------------------------------
 
 std::string media(const json &list) {
     std::string text;
-    for (const json &medium : list) {
-        const uint64_t times = medium["times"];
-        text += (text.empty() ? "" : ", ") + medium["material"].get<std::string>() + (times > 1 ? fmt::format(" ({} times)", times) : "");
-    }
-    return text.empty() ? "nothing" : text;
+    for (const json &medium : list)
+        text += (text.empty() ? "" : ", ") + text_of(medium["material"]) + (medium["times"] > 1 ? " x " + text_of(medium["times"]) : "");
+    return text.empty() ? "none" : text;
 }
 
-void write_interface(Lines &lines, const json &interface) {
-    lines.field("media", fmt::format("in {}; behind: {}", media(interface["media_before"]), media(interface["media_behind"])));
-    lines.field("eta", floats(interface["eta"]) + (interface["total_internal_reflection"] ? ", total internal reflection" : ""));
-}
-
-void write_light(Lines &lines, const json &light, bool last) {
-    const std::string name = fmt::format("light {} ({}): ", light["light"].get<uint64_t>(), light["kind"].get<std::string>());
-    if (!light["asked"]) return lines.branch(name + "not asked, " + light["why_not"].get<std::string>(), last, [] {});
-    lines.branch(name + (light["visible"] ? "visible" : "hidden"), last, [&] {
-        lines.field("from", floats(light["origin"]));
-        lines.field("direction", floats(light["direction"]));
-        lines.field("t_max", floats(light["t_max"]));
-        if (!light["blocker"].is_null()) lines.field("met", primitive(light["blocker"]) + ", t " + floats(light["blocker"]["t"]));
-        lines.field(light["visible"] ? "radiance" : "radiance if visible", floats(light["radiance_if_visible"]));
-        if (light["visible"]) lines.field("contribution", floats(light["contribution"]));
-    });
-}
-
-void write_contribution(Lines &lines, const json &contribution) {
-    lines.field("contribution", floats(contribution["radiance"]) + (contribution["refused"] ? ", refused: it is not finite" : ""));
-    lines.field("  fixed point", fixed_point(contribution["fixed_point"]));
-    lines.field("  running total", fixed_point(contribution["running_total"]));
-}
-
-void write_child(Lines &lines, const json &child, bool last) {
-    const std::string kind = child["kind"].get<std::string>() + " ray";
-    if (!child["spawned"]) return lines.branch(kind + ": none, " + child["why_not"].get<std::string>(), last, [] {});
-    lines.branch(kind, last, [&] {
-        lines.field("weight", floats(child["weight"]));
-        write_ray(lines, child["ray"]);
-    });
-}
-
-void write_unlit(Lines &lines, const json &unlit) {
-    for (const char *name : {"background", "emission", "ambient"})
-        if (!is_black(unlit[name])) lines.field(name, floats(unlit[name]));
+void write_passed(Lines &lines, const json &passed) {
+    lines.field("spawned at", floats(passed["from"]));
+    lines.field("  passes first", primitive(passed["first"]) + ": no interface, the medium that counts stays");
+    lines.field("  passes last", primitive(passed["last"]));
 }
 
 void write_hit(Lines &lines, const json &ray) {
-    const json &hit = ray["hit"];
-    lines.field("hit", primitive(hit));
-    lines.field("  t", floats(hit["t"]));
-    lines.field("  u", floats(hit["u"]));
-    lines.field("  v", floats(hit["v"]));
-    write_surface(lines, ray["surface"]);
-    if (!ray["interface"].is_null()) write_interface(lines, ray["interface"]);
+    const json &hit = ray["hit"], &surface = ray["surface"], &interface = ray["interface"];
+    lines.field("hits", primitive(hit));
+    lines.field("  t, u, v", fmt::format("{}, {}, {}", floats(hit["t"]), floats(hit["u"]), floats(hit["v"])));
+    lines.field("point", floats(surface["point"]));
+    lines.field("  error bound", floats(surface["error"]));
+    lines.field("geometric normal", floats(surface["geometric_normal"]));
+    lines.field("shading normal", surface["shading_normal"] == surface["geometric_normal"] ? "the same" : floats(surface["shading_normal"]));
+    lines.field("side", fmt::format("{}; cosine {}", text_of(surface["side"]), floats(surface["cosine"])));
+    if (interface.is_null()) return;
+    lines.field("media", fmt::format("before: {}; behind: {}", media(interface["media_before"]), media(interface["media_behind"])));
+    lines.field("eta", floats(interface["eta"]) + (interface["total_internal_reflection"] ? "; total internal reflection if it transmits" : ""));
 }
 
-void write_ray(Lines &lines, const json &ray) {
-    lines.field("depth", ray["depth"].dump());
+void write_light(Lines &lines, const json &light) {
+    const std::string name = fmt::format("light {}, {}", text_of(light["light"]), text_of(light["kind"]));
+    if (!light["asked"]) return lines.field(name, "not asked: " + text_of(light["why_not"]));
+    lines.field(name, light["visible"] ? "visible; adds " + floats(light["contribution"]) : "hidden by " + primitive(light["blocker"]));
+    lines.field("  from", floats(light["origin"]));
+    lines.field("  direction", floats(light["direction"]));
+    lines.field("  t_max", floats(light["t_max"]));
+    if (!light["visible"]) lines.field("  t of what hides", floats(light["blocker"]["t"]));
+    lines.field(light["visible"] ? "  radiance" : "  hidden radiance", floats(light["radiance_if_visible"]));
+}
+
+void write_child(Lines &lines, const json &child) {
+    const std::string name = text_of(child["kind"]) + " ray";
+    lines.field(name, child["spawned"] ? "ray " + text_of(child["ray"]["number"]) : "none: " + text_of(child["why_not"]));
+    if (!child["possible"]) return;
+    lines.field("  weight", floats(child["weight"]));
+    lines.field("  direction", floats(child["direction"]));
+}
+
+void write_contribution(Lines &lines, const json &contribution) {
+    lines.field("contribution", floats(contribution["radiance"]) + (contribution["refused"] ? "; refused, since not finite" : ""));
+    lines.field("  fixed point", fixed_point(contribution["fixed_point"]));
+    lines.field("  total so far", fixed_point(contribution["running_total"]));
+}
+
+void write_fields(Lines &lines, const json &ray) {
     lines.field("throughput", floats(ray["throughput"]));
-    if (!ray["passed"].is_null()) {
-        lines.field("passes", "faces where the medium stays the same, from " + floats(ray["passed"]["from"]));
-        lines.field("  the first", primitive(ray["passed"]["first"]));
-        lines.field("  the last", primitive(ray["passed"]["last"]));
-    }
+    if (!ray["passed"].is_null()) write_passed(lines, ray["passed"]);
     lines.field("origin", floats(ray["origin"]));
     lines.field("direction", floats(ray["direction"]));
-    if (ray["hit"].is_null())
-        lines.field("hit", "nothing");
-    else
-        write_hit(lines, ray);
-    write_unlit(lines, ray["unlit"]);
+    if (!ray["hit"].is_null()) write_hit(lines, ray);
+    for (const char *name : {"background", "emission", "ambient"})
+        if (!is_black(ray["unlit"][name])) lines.field(name, floats(ray["unlit"][name]));
+    for (const json &light : ray["lights"]) write_light(lines, light);
     for (const json &contribution : ray["contributions"]) write_contribution(lines, contribution);
-    const json &lights = ray["lights"], &children = ray["children"];
-    for (std::size_t i = 0; i < lights.size(); ++i) write_light(lines, lights[i], children.empty() && i + 1 == lights.size());
-    for (std::size_t j = 0; j < children.size(); ++j) write_child(lines, children[j], j + 1 == children.size());
+    for (const json &child : ray["children"]) write_child(lines, child);
+}
+
+void write_details(Lines &lines, const json &ray) {
+    lines.line(fmt::format("ray {}: {}, depth {}, {}", text_of(ray["number"]), text_of(ray["kind"]), text_of(ray["depth"]), what_it_meets(ray)));
+    lines.indented("  ", [&] { write_fields(lines, ray); });
+    for (const json &child : ray["children"])
+        if (child["spawned"]) write_details(lines, child["ray"]);
 }
 
 }  // namespace
 
-std::string inspection_text(const json &inspection) {
+std::string inspection_text(const json &inspection, bool brief) {
     Lines lines;
-    lines.line(fmt::format("{}: pixel {},{} of {} x {}, {} spp, seed {}, {}, max_depth {}, threshold {}", inspection["scene"].get<std::string>(),
-                           inspection["x"].dump(), inspection["y"].dump(), inspection["width"].dump(), inspection["height"].dump(),
-                           inspection["spp"].dump(), inspection["seed"].dump(), inspection["integrator"].get<std::string>(),
-                           inspection["max_depth"].dump(), inspection["threshold"].dump()));
+    lines.line(fmt::format("{}, pixel {},{} of {} x {}: {} spp, seed {}, {}, max_depth {}, threshold {}", text_of(inspection["scene"]),
+                           text_of(inspection["x"]), text_of(inspection["y"]), text_of(inspection["width"]), text_of(inspection["height"]),
+                           text_of(inspection["spp"]), text_of(inspection["seed"]), text_of(inspection["integrator"]),
+                           text_of(inspection["max_depth"]), text_of(inspection["threshold"])));
     for (const json &sample : inspection["samples"]) {
-        lines.branch(fmt::format("sample {}: camera ray", sample["number"].dump()), true, [&] { write_ray(lines, sample["ray"]); });
-        lines.field("sample " + sample["number"].dump(), fixed_point(sample["sum"]["fixed_point"]));
+        lines.line(fmt::format("sample {}: {}", text_of(sample["number"]), radiance(sample["sum"]["fixed_point"])));
+        write_tree(lines, sample["ray"], true);
+        if (!brief) write_details(lines, sample["ray"]);
+        lines.field("sum of sample " + text_of(sample["number"]), fixed_point(sample["sum"]["fixed_point"]));
     }
     const json &pixel = inspection["pixel"];
-    lines.field("pixel", fmt::format("{} samples, sum {}", pixel["samples"].dump(), fixed_point(pixel["fixed_point"])));
-    lines.field("  radiance", floats(pixel["radiance"]));
+    lines.field("sum of pixel", fmt::format("{} in {} samples", fixed_point(pixel["fixed_point"]), text_of(pixel["samples"])));
+    lines.field("pixel", floats(pixel["radiance"]));
     return lines.text();
 }
 

@@ -9,15 +9,22 @@ namespace {
 
 float largest(Spectrum s) { return std::max({s.x, s.y, s.z}); }
 
+bool transmits(const Material &material) { return (material.flags & MATERIAL_TRANSMITS) != 0; }
+
 }  // namespace
+
+bool can_spawn(const TracedRay &parent, std::size_t j, const Material &material) {
+    const bool total = transmits(material) && parent.description.cosine_squared_beyond < 0;
+    return j == reflected_child ? (material.flags & MATERIAL_REFLECTS) != 0 || total : transmits(material) && !total;
+}
 
 std::string why_not_spawned(const TracedRay &parent, std::size_t j, const Material &material, const IntegratorSettings &settings) {
     const TracedChild &child = parent.children[j];
     if (child.traced) return "";
-    const bool transmits = (material.flags & MATERIAL_TRANSMITS) != 0, total = transmits && parent.description.cosine_squared_beyond < 0;
-    if (j == reflected_child && !(material.flags & MATERIAL_REFLECTS) && !total) return "the material does not reflect";
-    if (j == refracted_child && !transmits) return "the material does not transmit";
-    if (j == refracted_child && total) return "total internal reflection";
+    if (!can_spawn(parent, j, material)) {
+        if (j == reflected_child) return "the material does not reflect";
+        return transmits(material) ? "total internal reflection" : "the material does not transmit";
+    }
     if (parent.path.depth >= settings.max_depth) return fmt::format("depth limit: integrator.max_depth is {}", settings.max_depth);
     const float throughput = largest(parent.path.throughput * child.weight);
     if (throughput == 0) return "its throughput is 0";
