@@ -169,10 +169,11 @@ std::string inspection_text(const json &inspection, bool brief) {
                            text_of(inspection["spp"]), text_of(inspection["seed"]), text_of(inspection["integrator"]),
                            text_of(inspection["max_depth"]), text_of(inspection["threshold"])));
     for (const json &sample : inspection["samples"]) {
-        lines.line(fmt::format("sample {}: {}", text_of(sample["number"]), radiance(sample["sum"]["fixed_point"])));
+        lines.line(fmt::format("sample {}: {}", text_of(sample["number"]), radiance(sample["sum"])));
         write_tree(lines, sample["ray"], true);
         if (!brief) write_details(lines, sample["ray"]);
-        lines.field("sum of sample " + text_of(sample["number"]), fixed_point(sample["sum"]["fixed_point"]));
+        lines.field("sum of sample " + text_of(sample["number"]), fixed_point(sample["sum"]));
+        if (sample["weighed"] != sample["sum"]) lines.field("  weighed by filter", fixed_point(sample["weighed"]));
     }
     const json &pixel = inspection["pixel"];
     lines.field("sum of pixel", fmt::format("{} in {} samples", fixed_point(pixel["fixed_point"]), text_of(pixel["samples"])));

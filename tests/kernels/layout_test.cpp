@@ -23,6 +23,7 @@
 #include "kernels/primitives/smooth_triangle.h"
 #include "kernels/primitives/sphere.h"
 #include "kernels/primitives/surface.h"
+#include "kernels/stages/describe_hits.h"
 #include "tests/support/probe.h"
 
 namespace brandung {
@@ -65,6 +66,7 @@ const Layouts &host_layouts() {
         RECORD(Path, throughput, slot, branch, depth),
         RECORD(SurfacePoint, origin, material, normal, flags),
         RECORD(SurfaceInterface, beyond, geometric, eta),
+        RECORD(HitDescription, p, error, geometric, normal, cosine, cosine_squared_beyond, emission, ambient),
         RECORD(Tally, rays, hits),
         RECORD(Sample, sum),
         RECORD(Integer128, low, high),
