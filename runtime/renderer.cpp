@@ -111,21 +111,12 @@ bool Renderer::render_batches(Film &film, RenderProgress &progress, const Observ
     const auto seconds = [start] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
     double observed = 0;
     const uint spp = film_settings_.spp;
-    BatchParams params = common_params(film_settings_);
     for (uint first = 0; first < spp; first += samples_per_batch_) {
         PixelOrder order(film.window());
         for (auto pixels = order.next(pixels_.size()); !pixels.empty(); pixels = order.next(pixels_.size())) {
-            pixels_.write(pixels);
-            params.pixels = static_cast<uint>(pixels.size());
-            params.first_sample = first;
-            params.samples = std::min(samples_per_batch_, spp - first);
-            const Batch batch{params, pixels_, camera_, interior_, aovs};
-            integrator_->render(batch, samples_);
-            filter_.weigh(batch, samples_);
-            film.add(batch, samples_);
-            if (aovs) aovs->add(batch);
-            device_.finish();
-            progress.samples_done += batch.count();
+            const uint samples = std::min(samples_per_batch_, spp - first);
+            render_batch(film, pixels, first, samples, aovs, nullptr);
+            progress.samples_done += pixels.size() * samples;
             progress.seconds = seconds();
             if (options_.on_progress && !options_.on_progress(progress)) return progress.samples_done == progress.samples_total;
             if (!observer.observe || progress.seconds - observed < observer.seconds || progress.samples_done == progress.samples_total) continue;
@@ -134,6 +125,26 @@ bool Renderer::render_batches(Film &film, RenderProgress &progress, const Observ
         }
     }
     return true;
+}
+
+/// The pixels' samples first ... first + samples.
+void Renderer::render_batch(Film &film, const std::vector<uint> &pixels, uint first, uint samples, Aovs *aovs, WaveObserver *observer) {
+    pixels_.write(pixels);
+    BatchParams params = common_params(film_settings_);
+    params.pixels = static_cast<uint>(pixels.size());
+    params.first_sample = first;
+    params.samples = samples;
+    const Batch batch{params, pixels_, camera_, interior_, aovs};
+    integrator_->render(batch, samples_, observer);
+    filter_.weigh(batch, samples_);
+    film.add(batch, samples_);
+    if (aovs) aovs->add(batch);
+    device_.finish();
+}
+
+std::vector<Sample> Renderer::render_pixel(Film &film, uint x, uint y, uint first, uint samples, WaveObserver *observer) {
+    render_batch(film, {x | y << 16}, first, samples, nullptr, observer);
+    return samples_.read(0, samples);
 }
 
 }  // namespace brandung

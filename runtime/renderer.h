@@ -43,6 +43,10 @@ public:
     /// what there is so far is kept. What the observer throws ends it.
     RenderEnd render(Film &film, const Observer &observer = {}, Aovs *aovs = nullptr);
 
+    /// Renders samples first ... first + samples of one pixel, at most as many as rays in a wave, into the film, and gives what was added to
+    /// it. Shows the waves to `observer` if there is one.
+    std::vector<Sample> render_pixel(Film &film, uint x, uint y, uint first, uint samples, WaveObserver *observer);
+
     const Integrator &integrator() const { return *integrator_; }
     const Filter &filter() const { return filter_; }
     /// Bytes of all buffers beside scene and film, at most.
@@ -50,6 +54,7 @@ public:
 
 private:
     bool render_batches(Film &film, RenderProgress &progress, const Observer &observer, Aovs *aovs);
+    void render_batch(Film &film, const std::vector<uint> &pixels, uint first, uint samples, Aovs *aovs, WaveObserver *observer);
 
     Device &device_;
     const FilmSettings film_settings_;

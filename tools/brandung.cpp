@@ -28,6 +28,7 @@ int run(int argc, char **argv) {
     int status = 0;
     add_render(app, status);
     add_info(app, status);
+    add_inspect(app, status);
     add_devices(app, status);
     add_compare(app, status);
     const auto is_asked_for = [&](const CLI::App *command) { return command->check_name(argv[1]); };

@@ -110,10 +110,10 @@ typedef struct {
     float diffuse[3][ITEMS_PER_WORK_ITEM], specular[3][ITEMS_PER_WORK_ITEM], exponent[ITEMS_PER_WORK_ITEM], sum[3][ITEMS_PER_WORK_ITEM];
 } ShadeColumns;
 
-/// contributions[i]: what hit i adds to its sample by the `lights` lights of this block whose visible[row * stride + i] is set, as
-/// far as filters[row * stride + i] lets it through where shadows are filtered; the first
-/// block also brings what needs no light: background, emission, ambient light.
-kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint lights, uint stride, const global Path *restrict paths,
+/// contributions[i]: what hit i adds to its sample by the `lights` lights of this block whose visible[row * stride + i] is set, as far as
+/// filters[row * stride + i] lets it through where shadows are filtered, and where `with_unlit` is 1 by what needs no light: background, emission,
+/// ambient light.
+kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint with_unlit, uint first_light, uint lights, uint stride, const global Path *restrict paths,
                           const global SurfacePoint *restrict points, const global vec3 *restrict directions, const global Tints *restrict tints,
                           const global uchar *restrict visible, const global Spectrum *restrict filters, global Spectrum *restrict contributions) {
     const Scene scene = SCENE;
@@ -129,7 +129,7 @@ kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint ligh
             const Tints tint = tints_at(tints, i);
             const Spectrum own = plus(load(&material->emission), times(times(ambient, bsdf_ambient(material)), tint.diffuse));
             const Spectrum unlit = where((flags & SURFACE_HIT) != 0u, own, times(background, tint.diffuse));
-            const Spectrum sum = where(first_light == 0u, unlit, black);
+            const Spectrum sum = where(with_unlit != 0u, unlit, black);
             Phong phong = bsdf_phong(material);
             phong.diffuse = times(phong.diffuse, tint.diffuse), phong.specular = times(phong.specular, tint.specular);
             const uint c = i - begin;

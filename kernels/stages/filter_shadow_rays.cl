@@ -20,8 +20,8 @@ FUNCTION Spectrum pane_transmission(Pane pane, float cosine) {
     return bsdf_split(pane.material, cosine, refracted_cosine_squared(cosine, eta), eta, false).refracted;
 }
 
-/// The product of all faces' transmissions, in the order of (t, instance, primitive), as any accelerator finds them. Neighbours in a mesh that share the edge
-/// which the ray meets are one face.
+/// The product of all faces' transmissions, in the order of (t, instance, primitive), as any accelerator finds them. Neighbours in a mesh that share
+/// the edge which the ray meets are one face.
 FUNCTION Spectrum transmission_along(Scene scene, Ray ray, uint source_instance) {
     Spectrum light = make3(1.0f, 1.0f, 1.0f);
     Pane last = {0, false, 0.0f};
@@ -59,7 +59,8 @@ kernel void filter_shadow_rays(SCENE_PARAMS, const global uint *restrict live, c
     const global uint *list = live + row * stride;
     FOR_EACH_ITEM_SERIALLY(i, counts[row]) {
         const uint k = list[i];
-        const Spectrum light = visible[k] != 0 ? make3(1.0f, 1.0f, 1.0f) : transmission_along(scene, rays[k], instance_at(instances, k - row * stride));
+        const Spectrum light =
+            visible[k] != 0 ? make3(1.0f, 1.0f, 1.0f) : transmission_along(scene, rays[k], instance_at(instances, k - row * stride));
         filters[k] = light;
         visible[k] = largest(light) > 0.0f;
     }

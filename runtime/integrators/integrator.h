@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/integrators/wave_observer.h"
 #include "runtime/wavefront/batch.h"
 #include "runtime/wavefront/device_scene.h"
 #include "runtime/wavefront/filter.h"
@@ -25,8 +26,9 @@ struct NotShown {
 class Integrator {
 public:
     virtual ~Integrator() = default;
-    /// Computes the radiance of the batch's samples. Returns when everything is queued; the device may still be at work.
-    virtual void render(const Batch &batch, Buffer<Sample> &samples) = 0;
+    /// Computes the radiance of the batch's samples, and shows each wave to `observer`, if there is one. Returns when everything is queued; the
+    /// device may still be at work.
+    virtual void render(const Batch &batch, Buffer<Sample> &samples, WaveObserver *observer = nullptr) = 0;
     virtual RayCounts counts() const = 0;
     /// Contributions that were not finite, and so were not added.
     virtual std::uint64_t refused() const = 0;

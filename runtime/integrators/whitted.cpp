@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "runtime/integrators/integrator.h"
+#include "runtime/integrators/observation.h"
 #include "runtime/wavefront/aovs.h"
 #include "runtime/wavefront/compaction.h"
 #include "runtime/wavefront/levels.h"
@@ -88,8 +89,11 @@ struct ShadowFilter {
 class WhittedIntegrator : public Integrator {
 public:
     explicit WhittedIntegrator(const IntegratorJob &job)
-        : scene_(job.on_device),
+        : device_(job.device),
+          scene_(job.on_device),
           filter_(job.filter),
+          batch_(job.batch),
+          interior_size_(job.compiled.interior_size),
           light_count_(job.compiled.header.lights.count),
           instances_(job.compiled.instance_count > 0),
           branching_(branching(job.compiled)),
@@ -123,12 +127,15 @@ public:
         refused_.fill_zero();
     }
 
-    void render(const Batch &batch, Buffer<Sample> &samples) override {
+    void render(const Batch &batch, Buffer<Sample> &samples, WaveObserver *observer) override {
+        observation_.reset();
+        if (observer) observation_.emplace(device_, batch_, branching_, interior_size_);
         Level &first = levels_.start(batch.count());
         if (media_) start_interiors(first, batch);
         if (instances_) first.sources.fill_zero();
         generate_(batch.count(), batch.camera, batch.params, filter_, batch.pixels, batch.count(), first.rays, first.paths, first.live, samples);
         while (const auto wave = levels_.next()) {
+            if (observer) observation_->begin(*wave);
             trace(*wave);
             evaluate_(wave->count, scene_, *wave, wave->level.rays, hits_, hit_instances_, media_ ? media_->etas : no_floats_, points_, interfaces_,
                       directions_);
@@ -138,8 +145,10 @@ public:
                 batch.aovs->record(batch, scene_, *wave, hits_, points_, pictures_ ? pictures_->tints : no_tints_);
             if (wave->children) spawn(*wave);
             for (uint light = 0; light == 0 || light < light_count_; light += lights_per_block) shade(*wave, light, samples);
+            if (observer) show(*wave, *observer);
             if (wave->children) levels_.add_children(*wave, secondary_->compact.counts().read().at(0));
         }
+        if (observer) observer->end(samples.read(0, batch.count()));
     }
 
     RayCounts counts() const override { return counter_.read(); }
@@ -191,6 +200,7 @@ private:
         intersect(wave.count, scene_, wave, wave.level.rays, wave.level.sources, hits_, hit_instances_, media_ ? media_->crowded : no_bytes_,
                   counter_.tallies());
         counter_.add(intersect.work_items(wave.count));
+        if (observation_) observation_->records.closest = hits_.read(0, wave.count);
         if (!media_) return;
         media_->find(wave.count, scene_, wave, wave.level.rays, wave.level.sources, hits_, hit_instances_, media_->crowded, wave.level.interiors,
                      media_->beyond, media_->etas, media_->lost, counter_.tallies());
@@ -212,9 +222,10 @@ private:
         if (rows > 0) trace_shadows(wave, light, rows);
         const Buffer<std::uint8_t> &visible = shadows_ ? shadows_->visible : no_bytes_;
         const Buffer<Tints> &tints = pictures_ ? pictures_->tints : no_tints_;
-        shade_(wave.count, scene_, wave, light, rows, stride, wave.level.paths, points_, directions_, tints, visible,
+        shade_(wave.count, scene_, wave, uint{light == 0}, light, rows, stride, wave.level.paths, points_, directions_, tints, visible,
                shadow_filter_ ? shadow_filter_->filters : no_spectra_, contributions_);
         accumulate_(wave.count, wave, wave.level.paths, contributions_, samples, refused_);
+        if (observation_) record_lights(wave, rows);
     }
 
     void trace_shadows(const Wave &wave, uint light, uint rows) {
@@ -222,6 +233,7 @@ private:
         const uint count = wave.count;
         shadows.spawn(Grid(count, rows), scene_, wave, light, shadows.stride, wave.level.paths, points_, interfaces_, shadows.rays, shadows.visible);
         shadows.compact(shadows.visible, shadows.stride, count, rows, 0, 0, shadows.live);
+        if (observation_) record_shadow_rays(wave, light, rows);
         // Shadow rays from the first reflections are scattered already: one by one they are faster.
         Kernel &trace = shadows.trace_packets && wave.generation == 0 ? *shadows.trace_packets : shadows.trace_singly;
         trace(Grid(count, rows), scene_, shadows.live, shadows.compact.counts(), shadows.stride, shadows.rays, hit_instances_, shadows.visible,
@@ -232,9 +244,53 @@ private:
                                shadows.visible, shadow_filter_->filters);
     }
 
+    /// A block of lights from `light` on, before its shadow rays are traced.
+    void record_shadow_rays(const Wave &wave, uint light, uint rows) {
+        LightBlockRecords &block = observation_->records.lights.emplace_back();
+        for (uint row = 0; row < rows; ++row) {
+            const std::size_t first = std::size_t{row} * shadows_->stride;
+            block.lights.push_back({light + row, shadows_->rays.read(first, wave.count), shadows_->visible.read(first, wave.count), {}, {}});
+        }
+    }
+
+    /// The same after they are, with the share of each light.
+    void record_lights(const Wave &wave, uint rows) {
+        if (rows == 0) observation_->records.lights.emplace_back();
+        LightBlockRecords &block = observation_->records.lights.back();
+        for (uint row = 0; row < rows; ++row) {
+            LightRecords &light = block.lights[row];
+            light.visible = shadows_->visible.read(std::size_t{row} * shadows_->stride, wave.count);
+            light.radiance = radiance(wave, 0, light.light, 1);
+        }
+        block.contributions = contributions_.read(0, wave.count);
+    }
+
+    /// What visible lights, and with_unlit what needs none, give at throughput 1.
+    std::vector<Spectrum> radiance(const Wave &wave, uint with_unlit, uint light, uint lights) {
+        Observation &o = *observation_;
+        shade_(wave.count, scene_, wave, with_unlit, light, lights, 0u, o.unit_paths, points_, directions_, pictures_ ? pictures_->tints : no_tints_,
+               o.all_visible, o.all_light, o.radiance);
+        return o.radiance.read(0, wave.count);
+    }
+
+    /// Adds what the buffers still hold at the end of a wave.
+    void show(const Wave &wave, WaveObserver &observer) {
+        Observation &o = *observation_;
+        const Buffer<uint> &beyond = media_ ? media_->beyond : no_words_;
+        o.record_hits(wave, hits_, hit_instances_, points_, interfaces_, directions_, beyond);
+        o.records.unlit = radiance(wave, 1, 0, 0);
+        if (secondary_) {
+            secondary_->spawn(wave.count, scene_, params_, wave, o.unit_paths, points_, interfaces_, directions_, wave.level.interiors, beyond, 0u,
+                              o.rays, o.paths, o.interiors, o.alive);
+            o.record_children(wave.children ? &secondary_->alive : nullptr);
+        }
+        observer.see(o.records);
+    }
+
+    Device &device_;
     const DeviceScene &scene_;
     const Filter &filter_;
-    uint light_count_;
+    uint batch_, interior_size_, light_count_;
     bool instances_;  ///< whether the scene has some
     uint branching_;
     WhittedParams params_;
@@ -261,6 +317,7 @@ private:
     std::optional<ShadowFilter> shadow_filter_;
     std::string no_filter_;  ///< why there is none
     std::vector<NotShown> not_shown_;
+    std::optional<Observation> observation_;  ///< only where a batch is observed
 };
 
 }  // namespace

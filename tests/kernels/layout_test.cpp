@@ -26,6 +26,7 @@
 #include "kernels/primitives/smooth_triangle.h"
 #include "kernels/primitives/sphere.h"
 #include "kernels/primitives/surface.h"
+#include "kernels/stages/describe_hits.h"
 #include "tests/support/probe.h"
 
 namespace brandung {
@@ -70,6 +71,7 @@ const Layouts &host_layouts() {
         RECORD(SurfaceInterface, beyond, geometric, eta),
         RECORD(Tints, diffuse, specular),
         RECORD(TextureRecord, offset, width, height, flags),
+        RECORD(HitDescription, p, error, geometric, normal, cosine, cosine_squared_beyond, emission, ambient),
         RECORD(Tally, rays, hits),
         RECORD(Sample, sum),
         RECORD(Integer128, low, high),

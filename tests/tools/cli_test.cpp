@@ -30,7 +30,7 @@ TEST(Cli, HelpNamesEverySubcommandOnStandardOutput) {
     const Finished run = run_program({"--help"});
     expect_success(run);
     EXPECT_EQ(run.err, "");
-    for (const char *command : {"render", "info", "devices", "compare"}) EXPECT_NE(run.out.find(command), std::string::npos) << command;
+    for (const char *command : {"render", "info", "inspect", "devices", "compare"}) EXPECT_NE(run.out.find(command), std::string::npos) << command;
 }
 
 TEST(Cli, HelpOfRenderNamesEveryOption) {

@@ -1,0 +1,63 @@
+#include "runtime/inspection/describe_hits.h"
+
+#include <numeric>
+
+#include "runtime/opencl/kernel.h"
+
+namespace brandung {
+namespace {
+
+void describe(Device &device, const DeviceScene &scene, const std::vector<TracedRay *> &traced) {
+    std::vector<Ray> rays;
+    std::vector<Hit> hits;
+    std::vector<uint> instances;
+    std::vector<float> etas;
+    for (const TracedRay *ray : traced) {
+        rays.push_back(ray->ray), hits.push_back(ray->hit);
+        instances.push_back(ray->instance), etas.push_back(ray->interface.eta);
+    }
+
+    Kernel describe(device, "kernels/stages/describe_hits.cl", "describe_hits", scene.lists());
+    const std::size_t count = traced.size();
+    const Buffer<HitDescription> descriptions(device, count);
+    describe(count, scene, Buffer<Ray>(device, rays), Buffer<Hit>(device, hits), Buffer<uint>(device, instances), Buffer<float>(device, etas),
+             static_cast<uint>(count), descriptions);
+    const std::vector<HitDescription> read = descriptions.read();
+    for (std::size_t i = 0; i < count; ++i) traced[i]->description = read[i];
+}
+
+/// Visibility needs any hit: which is the closest is found out here.
+void find_blockers(Device &device, const DeviceScene &scene, const std::vector<TracedRay *> &traced) {
+    std::vector<TracedLight *> blocked;
+    std::vector<Ray> rays;
+    std::vector<uint> sources;
+    for (TracedRay *ray : traced)
+        for (TracedLightBlock &block : ray->lights)
+            for (TracedLight &light : block.lights)
+                if (light.asked && !light.visible) blocked.push_back(&light), rays.push_back(light.ray), sources.push_back(ray->instance);
+    if (blocked.empty()) return;
+
+    const std::size_t count = rays.size();
+    std::vector<uint> all(count);
+    std::iota(all.begin(), all.end(), 0u);
+    Kernel intersect(device, "kernels/stages/intersect.cl", "intersect", scene.lists());
+    const Buffer<Hit> hits(device, count);
+    const Buffer<uint> instances(device, count);
+    const Buffer<std::uint8_t> crowded(device, count);
+    const Buffer<Tally> tallies(device, intersect.work_items(count));
+    intersect(count, scene, Buffer<uint>(device, all), 0u, static_cast<uint>(count), Buffer<Ray>(device, rays), Buffer<uint>(device, sources), hits,
+              instances, crowded, tallies);
+    const std::vector<Hit> read = hits.read();
+    for (std::size_t i = 0; i < count; ++i) blocked[i]->blocker = read[i];
+}
+
+}  // namespace
+
+void describe_hits(Device &device, const DeviceScene &scene, std::vector<TracedRay> &trees) {
+    const std::vector<TracedRay *> traced = rays_with_hits(trees);
+    if (traced.empty()) return;
+    describe(device, scene, traced);
+    find_blockers(device, scene, traced);
+}
+
+}  // namespace brandung

@@ -1,0 +1,38 @@
+#include "runtime/inspection/inspect_pixel.h"
+
+#include <algorithm>
+
+#include "runtime/inspection/describe_hits.h"
+
+namespace brandung {
+namespace {
+
+void inspect_samples(const InspectedRender &render, uint x, uint y, SampleRange range, std::vector<InspectedSample> &samples) {
+    RayTrees trees(range.count);
+    const std::vector<Sample> weighed = render.renderer.render_pixel(render.film, x, y, range.first, range.count, &trees);
+    describe_hits(render.device, render.on_device, trees.trees());
+    for (uint i = 0; i < range.count; ++i) samples.push_back({range.first + i, std::move(trees.trees()[i]), trees.sums()[i], weighed[i]});
+}
+
+}  // namespace
+
+InspectedPixel inspect_pixel(const InspectedRender &render, uint x, uint y, SampleRange kept) {
+    InspectedPixel pixel;
+    const uint end = kept.first + kept.count;
+    for (uint first = 0; first < render.spp;) {
+        const bool inside = first >= kept.first && first < end;
+        const uint stop = first < kept.first ? kept.first : inside ? end : render.spp, count = std::min(stop - first, render.batch);
+        if (inside) {
+            inspect_samples(render, x, y, {first, count}, pixel.samples);
+        } else {
+            render.renderer.render_pixel(render.film, x, y, first, count, nullptr);
+        }
+        first += count;
+    }
+    const std::size_t place = std::size_t{y} * render.film.width() + x;
+    pixel.film = render.film.read()[place];
+    pixel.radiance = render.film.develop()[place];
+    return pixel;
+}
+
+}  // namespace brandung

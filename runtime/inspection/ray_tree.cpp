@@ -1,0 +1,88 @@
+#include "runtime/inspection/ray_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace brandung {
+namespace {
+
+/// The entries of item i.
+std::vector<uint> media(const std::vector<uint> &lists, uint size, std::size_t i) {
+    const auto first = lists.begin() + static_cast<std::ptrdiff_t>(i * size);
+    return {first, first + size};
+}
+
+std::vector<TracedLightBlock> lights_of(const WaveRecords &wave, std::size_t i) {
+    std::vector<TracedLightBlock> blocks;
+    for (const LightBlockRecords &records : wave.lights) {
+        TracedLightBlock &block = blocks.emplace_back();
+        block.contribution = records.contributions[i];
+        for (const LightRecords &light : records.lights) {
+            const bool asked = light.asked[i] != 0, visible = light.visible[i] != 0;
+            block.lights.push_back({light.light, light.rays[i], asked, visible, {}, light.radiance[i]});
+        }
+    }
+    return blocks;
+}
+
+TracedRay traced_ray(const WaveRecords &wave, std::size_t i) {
+    TracedRay ray{.path = wave.paths[i],
+                  .begun = wave.begun[i],
+                  .ray = wave.rays[i],
+                  .closest = wave.closest[i],
+                  .hit = wave.hits[i],
+                  .instance = wave.instances[i],
+                  .point = wave.points[i],
+                  .interface = wave.interfaces[i],
+                  .direction = wave.directions[i],
+                  .before = media(wave.before, wave.interior_size, i),
+                  .behind = media(wave.behind, wave.interior_size, i),
+                  .unlit = wave.unlit[i],
+                  .lights = lights_of(wave, i)};
+    for (const ChildRecords &child : wave.children) {
+        ray.children.push_back({child.rays[i], child.weights[i], nullptr});
+        if (child.alive[i] != 0) ray.children.back().traced = std::make_unique<TracedRay>();
+    }
+    return ray;
+}
+
+}  // namespace
+
+RayTrees::RayTrees(uint samples) : trees_(samples), waiting_(1) {
+    for (TracedRay &tree : trees_) waiting_[0].push_back(&tree);
+}
+
+void RayTrees::see(const WaveRecords &wave) {
+    const std::size_t count = wave.count();
+    waiting_.resize(std::max<std::size_t>(waiting_.size(), wave.generation + 2));
+    std::vector<TracedRay *> &below = waiting_[wave.generation + 1];
+    below.resize(std::max(below.size(), wave.base + wave.children.size() * count));
+    for (std::size_t i = 0; i < count; ++i) {
+        TracedRay &ray = *waiting_[wave.generation][wave.slots[i]];
+        ray = traced_ray(wave, i);
+        for (std::size_t j = 0; j < ray.children.size(); ++j) below[wave.base + j * count + i] = ray.children[j].traced.get();
+    }
+}
+
+std::vector<TracedRay *> rays_with_hits(std::vector<TracedRay> &trees) {
+    std::vector<TracedRay *> rays, waiting;
+    for (TracedRay &tree : trees) waiting.push_back(&tree);
+    while (!waiting.empty()) {
+        TracedRay *ray = waiting.back();
+        waiting.pop_back();
+        if (ray->hits()) rays.push_back(ray);
+        for (TracedChild &child : ray->children)
+            if (child.traced) waiting.push_back(child.traced.get());
+    }
+    return rays;
+}
+
+bool is_finite(Spectrum contribution) { return std::isfinite(contribution.x) && std::isfinite(contribution.y) && std::isfinite(contribution.z); }
+
+FixedPoint fixed_point(Spectrum contribution) {
+    if (!is_finite(contribution)) return {};
+    const auto round = [](float x) { return static_cast<std::int64_t>(std::rint(std::clamp(x, -0x1p17f, 0x1p17f) * 0x1p32f)); };
+    return {round(contribution.x), round(contribution.y), round(contribution.z)};
+}
+
+}  // namespace brandung

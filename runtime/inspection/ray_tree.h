@@ -1,0 +1,83 @@
+/// Trees of rays: what happened to a sample between eye and lights, from the records of its waves.
+#pragma once
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "kernels/stages/describe_hits.h"
+#include "runtime/integrators/wave_observer.h"
+
+namespace brandung {
+
+/// A shadow ray to a light, and what the light adds.
+struct TracedLight {
+    uint light;
+    Ray ray;
+    bool asked;         ///< the ray was traced
+    bool visible;       ///< and met nothing
+    Hit blocker;        ///< the closest thing in its way; by describe_hits(), where it met something
+    Spectrum radiance;  ///< towards the eye where nothing is in the way, at throughput 1
+};
+
+/// Lights whose shares were added before they were rounded to fixed point.
+struct TracedLightBlock {
+    std::vector<TracedLight> lights;
+    Spectrum contribution;  ///< to the sample
+};
+
+struct TracedRay;
+
+/// A ray that a hit may spawn.
+struct TracedChild {
+    Ray ray;
+    Spectrum weight;                    ///< of its radiance in that of the parent
+    std::unique_ptr<TracedRay> traced;  ///< null if it was not spawned
+};
+
+struct TracedRay {
+    Path path;
+    Ray begun;    ///< as spawned
+    Ray ray;      ///< as it met its hit: where it passed faces that are no interfaces, from behind the last of them on
+    Hit closest;  ///< of `begun`
+    Hit hit;
+    uint instance = 0;  ///< that the hit is in, 0 outside of all
+    SurfacePoint point;
+    SurfaceInterface interface;
+    vec3 direction;                    ///< back along the ray
+    std::vector<uint> before, behind;  ///< lists of media, as kernels/core/interior.cl has them
+    HitDescription description{};      ///< by describe_hits(), where something was hit
+    Spectrum unlit;                    ///< radiance that needs no light
+    std::vector<TracedLightBlock> lights;
+    std::vector<TracedChild> children;  ///< the mirrored ray, then the refracted one; as many as the scene needs
+
+    bool passed_faces() const { return begun.origin != ray.origin; }
+    bool hits() const { return hit.primitive != NO_HIT; }
+};
+
+/// Builds the tree of every sample of a batch.
+class RayTrees : public WaveObserver {
+public:
+    explicit RayTrees(uint samples);
+    void see(const WaveRecords &wave) override;
+    void end(const std::vector<Sample> &sums) override { sums_ = sums; }
+
+    /// By the sample's place in the batch; complete after the batch.
+    std::vector<TracedRay> &trees() { return trees_; }
+    /// Of their contributions, as the device has added them up.
+    const std::vector<Sample> &sums() const { return sums_; }
+
+private:
+    std::vector<TracedRay> trees_;
+    std::vector<Sample> sums_;
+    std::vector<std::vector<TracedRay *>> waiting_;  ///< by generation and slot: what a ray is to become
+};
+
+/// All rays of trees that hit something.
+std::vector<TracedRay *> rays_with_hits(std::vector<TracedRay> &trees);
+
+/// A contribution as it is added to a sample: per channel, in units of 2^-32. Nothing of one that is not finite is.
+using FixedPoint = std::array<std::int64_t, 3>;
+FixedPoint fixed_point(Spectrum contribution);
+bool is_finite(Spectrum contribution);
+
+}  // namespace brandung

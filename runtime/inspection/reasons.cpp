@@ -1,0 +1,42 @@
+#include "runtime/inspection/reasons.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace brandung {
+namespace {
+
+float largest(Spectrum s) { return std::max({s.x, s.y, s.z}); }
+
+bool transmits(const Material &material) { return (material.flags & MATERIAL_TRANSMITS) != 0; }
+
+}  // namespace
+
+bool can_spawn(const TracedRay &parent, std::size_t j, const Material &material) {
+    const bool total = transmits(material) && parent.description.cosine_squared_beyond < 0;
+    return j == reflected_child ? (material.flags & MATERIAL_REFLECTS) != 0 || total : transmits(material) && !total;
+}
+
+std::string why_not_spawned(const TracedRay &parent, std::size_t j, const Material &material, const IntegratorSettings &settings) {
+    const TracedChild &child = parent.children[j];
+    if (child.traced) return "";
+    if (!can_spawn(parent, j, material)) {
+        if (j == reflected_child) return "the material does not reflect";
+        return transmits(material) ? "total internal reflection" : "the material does not transmit";
+    }
+    if (parent.path.depth >= settings.max_depth) return fmt::format("depth limit: integrator.max_depth is {}", settings.max_depth);
+    const float throughput = largest(parent.path.throughput * child.weight);
+    if (throughput == 0) return "its throughput is 0";
+    return fmt::format("its throughput, {:g}, is below integrator.threshold, {:g}", throughput, settings.threshold);
+}
+
+std::string why_not_asked(const TracedRay &ray, const TracedLight &light) {
+    if (light.asked) return "";
+    if (!(ray.point.flags & SURFACE_LIT)) return "the material shows no light of lights";
+    const float cosine = glm::dot(ray.point.normal, light.ray.direction);
+    if (cosine <= 0) return fmt::format("it is behind the surface: its cosine to the shading normal is {:g}", cosine);
+    return "it sends nothing there";
+}
+
+}  // namespace brandung

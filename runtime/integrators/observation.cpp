@@ -1,0 +1,65 @@
+#include "runtime/integrators/observation.h"
+
+#include <algorithm>
+
+namespace brandung {
+namespace {
+
+/// The records at these slots, `size` for each.
+template <class T> std::vector<T> gather(const Buffer<T> &buffer, const std::vector<uint> &slots, uint size = 1) {
+    const std::vector<T> all = buffer.read();
+    std::vector<T> items;
+    for (const uint slot : slots)
+        for (uint k = 0; k < size; ++k) items.push_back(all[std::size_t{slot} * size + k]);
+    return items;
+}
+
+}  // namespace
+
+Observation::Observation(Device &device, uint batch, uint branching, uint interior_size)
+    : unit_paths(device, std::max(batch, branching)),
+      rays(device, std::size_t{batch} * branching),
+      paths(device, std::size_t{batch} * branching),
+      interiors(device, std::size_t{batch} * branching * interior_size),
+      alive(device, std::size_t{batch} * branching),
+      all_visible(device, std::vector<std::uint8_t>(batch, 1)),
+      all_light(device, std::vector<Spectrum>(batch, Spectrum(1))),
+      radiance(device, batch),
+      branching_(branching) {
+    records.interior_size = interior_size;
+}
+
+void Observation::begin(const Wave &wave) {
+    records = {.generation = wave.generation, .base = wave.base, .interior_size = records.interior_size};
+    records.slots = wave.level.live.read(wave.first, wave.count);
+    records.begun = gather(wave.level.rays, records.slots);
+    records.paths = gather(wave.level.paths, records.slots);
+    std::vector<Path> unit = wave.level.paths.read();
+    for (Path &path : unit) path.throughput = Spectrum(1), path.depth = 1;
+    unit_paths.write(unit);
+}
+
+void Observation::record_hits(const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances, const Buffer<SurfacePoint> &points,
+                              const Buffer<SurfaceInterface> &interfaces, const Buffer<vec3> &directions, const Buffer<uint> &beyond) {
+    records.rays = gather(wave.level.rays, records.slots);
+    records.hits = hits.read(0, wave.count);
+    records.instances = instances.size() > 0 ? instances.read(0, wave.count) : std::vector<uint>(wave.count);
+    records.points = points.read(0, wave.count);
+    records.interfaces = interfaces.read(0, wave.count);
+    records.directions = directions.read(0, wave.count);
+    if (records.interior_size == 0) return;
+    records.before = gather(wave.level.interiors, records.slots, records.interior_size);
+    records.behind = beyond.read(0, std::size_t{wave.count} * records.interior_size);
+}
+
+void Observation::record_children(const Buffer<std::uint8_t> *alive_below) {
+    const std::size_t count = records.count();
+    for (uint j = 0; j < branching_; ++j) {
+        ChildRecords &children = records.children.emplace_back();
+        children.rays = rays.read(j * count, count);
+        for (const Path &path : paths.read(j * count, count)) children.weights.push_back(path.throughput);
+        children.alive = alive_below ? alive_below->read(j * count, count) : std::vector<std::uint8_t>(count, 0);
+    }
+}
+
+}  // namespace brandung

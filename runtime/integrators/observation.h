@@ -1,0 +1,33 @@
+/// Observation: the records of a wave while its stages run, and what the stages write to when they run once more at throughput 1.
+#pragma once
+#include "runtime/integrators/wave_observer.h"
+#include "runtime/wavefront/levels.h"
+
+namespace brandung {
+
+struct Observation {
+    Observation(Device &device, uint batch, uint branching, uint interior_size);
+
+    /// Before the wave's rays are traced.
+    void begin(const Wave &wave);
+    /// What the wave's rays have met; `beyond`: the media behind, by item.
+    void record_hits(const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances, const Buffer<SurfacePoint> &points,
+                     const Buffer<SurfaceInterface> &interfaces, const Buffer<vec3> &directions, const Buffer<uint> &beyond);
+    /// Children as the stage has written them to the buffers below; `alive_below` is what it wrote for the next level, null at the last.
+    void record_children(const Buffer<std::uint8_t> *alive_below);
+
+    WaveRecords records;
+    Buffer<Path> unit_paths;  ///< those of the wave's level, but as if from the eye: throughput and depth are 1
+    Buffer<Ray> rays;         ///< children from slot 0 on, as are the next three
+    Buffer<Path> paths;
+    Buffer<uint> interiors;
+    Buffer<std::uint8_t> alive;
+    Buffer<std::uint8_t> all_visible;  ///< a row of shadow rays
+    Buffer<Spectrum> all_light;        ///< the same, nothing being lost on their way
+    Buffer<Spectrum> radiance;         ///< by item
+
+private:
+    uint branching_;
+};
+
+}  // namespace brandung

@@ -1,0 +1,61 @@
+/// WaveObserver: is shown what an integrator's stages have read and written, wave by wave. Renders have none, and then no record is made.
+#pragma once
+#include <vector>
+
+#include "kernels/core/items.h"
+
+namespace brandung {
+
+/// The rays of one kind that a wave's rays may spawn, one per ray, whether it lives or not.
+struct ChildRecords {
+    std::vector<Ray> rays;
+    std::vector<Spectrum> weights;  ///< their throughput where that of the parent is 1
+    std::vector<std::uint8_t> alive;
+};
+
+/// The shadow rays to one light, one per ray of the wave.
+struct LightRecords {
+    uint light;
+    std::vector<Ray> rays;
+    std::vector<std::uint8_t> asked, visible;
+    std::vector<Spectrum> radiance;  ///< towards the eye where nothing is in the way, at throughput 1
+};
+
+/// Lights whose shares are added before they are rounded to fixed point.
+struct LightBlockRecords {
+    std::vector<LightRecords> lights;
+    std::vector<Spectrum> contributions;  ///< as accumulated; those of the first block contain what needs no light
+};
+
+/// A wave of rays; item i of every vector is that of the wave's ray i.
+struct WaveRecords {
+    uint generation = 0;
+    uint base = 0;            ///< child j of ray i goes to slot base + j * count + i of the next generation
+    std::vector<uint> slots;  ///< of the rays, in their generation
+    std::vector<Ray> begun;   ///< as spawned
+    std::vector<Ray> rays;    ///< as they met their hits: where faces were no interfaces, from behind them on
+    std::vector<Path> paths;
+    std::vector<Hit> closest;     ///< of `begun`
+    std::vector<Hit> hits;        ///< of `rays`
+    std::vector<uint> instances;  ///< of `hits`: 0 outside of all
+    std::vector<SurfacePoint> points;
+    std::vector<SurfaceInterface> interfaces;
+    std::vector<vec3> directions;        ///< back along the rays
+    uint interior_size = 0;              ///< entries per ray of the next two, as kernels/core/interior.cl has them
+    std::vector<uint> before, behind;    ///< media on both sides of the hits
+    std::vector<Spectrum> unlit;         ///< radiance that needs no light
+    std::vector<ChildRecords> children;  ///< those of every ray may be mirrored, then refracted; as many as the scene needs
+    std::vector<LightBlockRecords> lights;
+    std::size_t count() const { return slots.size(); }
+};
+
+class WaveObserver {
+public:
+    virtual ~WaveObserver() = default;
+    /// Called when the wave's children are known, before any wave that they are in.
+    virtual void see(const WaveRecords &wave) = 0;
+    /// Called after the batch's last wave with the sums of all contributions, by sample.
+    virtual void end(const std::vector<Sample> &sums) = 0;
+};
+
+}  // namespace brandung

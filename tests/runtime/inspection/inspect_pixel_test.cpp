@@ -1,0 +1,273 @@
+/// Inspected pixels: the same bits as a render's, and records that say what happened.
+#include "runtime/inspection/inspect_pixel.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "runtime/inspection/reasons.h"
+#include "scene/formats/format.h"
+#include "tests/support/probe.h"
+#include "tests/support/rendering.h"
+#include "tests/support/scenes.h"
+
+namespace brandung {
+namespace {
+
+InspectedPixel inspect(const Scene &scene, uint x, uint y, SampleRange kept, uint batch = 256) {
+    Device &device = test_device();
+    const CompiledScene compiled = compile(scene);
+    const DeviceScene on_device(device, compiled);
+    Film film(device, scene.film.width, scene.film.height);
+    Renderer renderer(device, scene, compiled, on_device, scene.cameras.at(0), {batch, nullptr});
+    return inspect_pixel({device, on_device, renderer, film, scene.film.spp, batch}, x, y, kept);
+}
+
+bool same_bits(const auto &a, const auto &b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+/// What is added by a ray and all below it; checks on the way that the parts of each are the whole, to the bit.
+std::array<__int128, 3> checked_sum(const TracedRay &ray, const Scene &scene) {
+    std::array<__int128, 3> sum{};
+    Spectrum radiance = ray.unlit;
+    for (const TracedLightBlock &block : ray.lights) {
+        for (const TracedLight &light : block.lights) {
+            EXPECT_EQ(light.asked, why_not_asked(ray, light).empty());
+            if (light.asked && light.visible) radiance += light.radiance;
+        }
+        EXPECT_TRUE(same_bits(block.contribution, radiance * ray.path.throughput)) << "the lights one by one are not those of the block";
+        const FixedPoint fixed = fixed_point(block.contribution);
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += fixed[c];
+        radiance = Spectrum(0);
+    }
+    for (std::size_t j = 0; ray.hits() && j < ray.children.size(); ++j) {
+        const TracedChild &child = ray.children[j];
+        EXPECT_EQ(child.traced != nullptr, why_not_spawned(ray, j, scene.materials[ray.point.material].record, scene.integrator).empty());
+        if (!child.traced) continue;
+        EXPECT_EQ(RAY_KIND(child.traced->begun.tag), j == reflected_child ? RAY_REFLECTED : RAY_REFRACTED);
+        EXPECT_TRUE(same_bits(child.traced->begun, child.ray)) << "child " << j << " is another's";
+        EXPECT_TRUE(same_bits(child.traced->path.throughput, ray.path.throughput * child.weight));
+        EXPECT_EQ(child.traced->path.depth, ray.path.depth + 1);
+        const auto below = checked_sum(*child.traced, scene);
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += below[c];
+    }
+    return sum;
+}
+
+struct Picture {
+    const char *name;
+    Scene (*make)();
+};
+void PrintTo(const Picture &picture, std::ostream *out) { *out << picture.name; }
+
+Scene example(const char *name, std::vector<std::string> settings) {
+    settings.insert(settings.end(), {"film.width=16", "film.height=12"});
+    return read_scene(std::string(BRANDUNG_SOURCE_DIR "/scene/examples/") + name, settings);
+}
+
+/// Eleven lights are a block and a part of one.
+Scene eleven_lights() {
+    Scene scene = example("interpenetration.json", {"film.spp=4"});
+    scene.lights.clear();
+    for (int i = 0; i < 11; ++i) scene.lights.push_back(point_light({float(i - 5), 6, 3}, Spectrum(0.1f * float(i), 1, 2)));
+    return scene;
+}
+
+class InspectedPicture : public testing::TestWithParam<Picture> {};
+
+/// A batch of 2 rays makes many small waves.
+TEST_P(InspectedPicture, HasTheBitsOfTheRenderAndTreesThatAddUpToThem) {
+    const Scene scene = GetParam().make();
+    const Rendering rendering = render_scene(scene);
+    const uint spp = scene.film.spp, places[][2] = {{8, 6}, {3, 8}, {11, 4}};
+    for (const auto &[x, y] : places) {
+        const std::size_t place = y * scene.film.width + x;
+        for (const uint batch : {2u, 256u}) {
+            const InspectedPixel pixel = inspect(scene, x, y, {0, spp}, batch);
+            EXPECT_TRUE(same_bits(pixel.film, rendering.film[place])) << x << "," << y;
+            EXPECT_TRUE(same_bits(pixel.radiance, rendering.picture[place])) << x << "," << y;
+            ASSERT_EQ(pixel.samples.size(), spp);
+            for (uint i = 0; i < spp; ++i) {
+                EXPECT_EQ(pixel.samples[i].number, i);
+                const auto sum = checked_sum(pixel.samples[i].ray, scene);
+                for (std::size_t c = 0; c < 3; ++c) EXPECT_TRUE(sum[c] == value_of(pixel.samples[i].sum.sum[c])) << "sample " << i;
+            }
+        }
+        const InspectedPixel one = inspect(scene, x, y, {spp - 1, 1});
+        EXPECT_TRUE(same_bits(one.film, rendering.film[place])) << "all samples count, not only those that are kept";
+        ASSERT_EQ(one.samples.size(), 1u);
+        EXPECT_EQ(one.samples[0].number, spp - 1);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, InspectedPicture,
+                         testing::Values(Picture{"NestedGlass", [] { return example("nested_glass.json", {"film.spp=1"}); }},
+                                         Picture{"WhittedAtSixteen", [] { return example("whitted_1980.json", {"film.spp=16"}); }},
+                                         Picture{"ElevenLights", eleven_lights}),
+                         [](const auto &info) { return info.param.name; });
+
+// ---- scenes by hand --------------------------------------------------------------------------------------------------------------------------
+
+/// One pixel, whose ray goes from the origin along -z.
+Scene one_ray() {
+    Scene scene;
+    scene.cameras.push_back({.name = "camera", .from = {0, 0, 0}, .at = {0, 0, -1}});
+    scene.film.width = scene.film.height = 1;
+    return scene;
+}
+
+TracedRay traced(const Scene &scene) { return std::move(inspect(scene, 0, 0, {0, 1}).samples.at(0).ray); }
+
+/// A mirror at z = -4 sends the ray back, past the eye, to a matte wall at z = 8. The wall sees light 0; light 1 is behind it; a ball of radius
+/// 1/4 is half way to light 2.
+Scene mirror_and_wall() {
+    Scene scene = one_ray();
+    const uint mirror_material = add_material(scene, mirror(0.5f)), wall = add_material(scene, matte(0.5f));
+    add_triangle(scene, mirror_material, {-6, -4, -4}, {6, -4, -4}, {0, 12, -4});
+    add_triangle(scene, wall, {-6, -4, 8}, {0, 12, 8}, {6, -4, 8});
+    add_sphere(scene, wall, {0, 2, 6.5f}, 0.25f);
+    scene.ambient = Spectrum(0.25f);
+    scene.lights = {point_light({0, 3, 4}, Spectrum(25)), point_light({0, 0, 10}, Spectrum(1)), point_light({0, 4, 5}, Spectrum(25))};
+    return scene;
+}
+
+const TracedLight &light(const TracedRay &ray, std::size_t i) { return ray.lights.at(0).lights.at(i); }
+
+}  // namespace
+
+/// The mirror's plane is met at a + 3/8 (b - a) + 1/4 (c - a) = (0, 0, -4).
+TEST(InspectedRay, OfTheEyeMeetsTheMirror) {
+    const TracedRay ray = traced(mirror_and_wall());
+    EXPECT_EQ(ray.path.depth, 1u);
+    EXPECT_EQ(ray.path.throughput, Spectrum(1));
+    EXPECT_EQ(RAY_KIND(ray.ray.tag), RAY_CAMERA);
+    EXPECT_EQ(ray.ray.origin, vec3(0));
+    EXPECT_EQ(ray.ray.direction, vec3(0, 0, -1));
+    EXPECT_EQ(ray.hit.primitive, 0u);
+    EXPECT_EQ(ray.hit.t, 4);
+    EXPECT_EQ(ray.hit.u, 0.375f);
+    EXPECT_EQ(ray.hit.v, 0.25f);
+    EXPECT_EQ(ray.description.p, vec3(0, 0, -4));
+    EXPECT_EQ(ray.description.geometric, vec3(0, 0, 1));
+    EXPECT_EQ(ray.description.normal, vec3(0, 0, 1));
+    EXPECT_EQ(ray.description.cosine, 1);
+    EXPECT_EQ(ray.unlit, Spectrum(0));
+    EXPECT_FALSE(ray.passed_faces());
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(why_not_asked(ray, light(ray, i)), "the material shows no light of lights") << i;
+}
+
+/// 1 / sqrt(3² + 4²) to light 0, which is at cosine 0.8: 25 / 25 * 0.8 * 0.5 / π; at (0, 4, -3) from the wall, light 2 would give 0.6 * 0.5 / π.
+/// Ambient light gives 0.25 * 0.5. The mirror takes half of all.
+TEST(InspectedRay, OfTheMirrorMeetsTheWallAndItsLights) {
+    const TracedRay eye = traced(mirror_and_wall());
+    ASSERT_EQ(eye.children.size(), 1u) << "nothing transmits";
+    EXPECT_EQ(eye.children[0].weight, Spectrum(0.5f));
+    ASSERT_TRUE(eye.children[0].traced);
+    const TracedRay &ray = *eye.children[0].traced;
+    EXPECT_EQ(ray.path.depth, 2u);
+    EXPECT_EQ(ray.path.throughput, Spectrum(0.5f));
+    EXPECT_EQ(RAY_KIND(ray.ray.tag), RAY_REFLECTED);
+    EXPECT_EQ(ray.ray.direction, vec3(0, 0, 1));
+    EXPECT_EQ(ray.hit.primitive, 1u);
+    EXPECT_NEAR(ray.hit.t, 12, 1e-5);
+    EXPECT_EQ(ray.description.p, vec3(0, 0, 8));
+    EXPECT_EQ(ray.description.geometric, vec3(0, 0, -1));
+    EXPECT_EQ(ray.description.emission, Spectrum(0));
+    EXPECT_EQ(ray.description.ambient, Spectrum(0.125f));
+    EXPECT_EQ(ray.unlit, Spectrum(0.125f));
+
+    EXPECT_TRUE(light(ray, 0).asked && light(ray, 0).visible);
+    EXPECT_NEAR(light(ray, 0).ray.direction.y, 0.6, 1e-6);
+    EXPECT_NEAR(light(ray, 0).ray.direction.z, -0.8, 1e-6);
+    EXPECT_NEAR(light(ray, 0).ray.t_max, 5, 1e-5);
+    EXPECT_NEAR(light(ray, 0).radiance.x, 0.4 / M_PI, 1e-6);
+    EXPECT_FALSE(light(ray, 1).asked);
+    EXPECT_EQ(why_not_asked(ray, light(ray, 1)), "it is behind the surface: its cosine to the shading normal is -1");
+    EXPECT_TRUE(light(ray, 2).asked && !light(ray, 2).visible);
+    EXPECT_NEAR(light(ray, 2).radiance.x, 0.3 / M_PI, 1e-6);
+    EXPECT_EQ(light(ray, 2).blocker.primitive, 2u);
+    EXPECT_NEAR(light(ray, 2).blocker.t, 2.25, 1e-5);
+    EXPECT_NEAR(ray.lights.at(0).contribution.x, 0.5 * (0.125 + 0.4 / M_PI), 1e-6);
+    ASSERT_EQ(ray.children.size(), 1u);
+    EXPECT_FALSE(ray.children[0].traced);
+}
+
+TEST(InspectedRay, SaysWhyAChildWasNotSpawned) {
+    Scene scene = mirror_and_wall();
+    const auto why = [&](const TracedRay &ray, std::size_t j) {
+        return why_not_spawned(ray, j, scene.materials[ray.point.material].record, scene.integrator);
+    };
+    const TracedRay eye = traced(scene);
+    EXPECT_EQ(why(eye, 0), "");
+    EXPECT_EQ(why(*eye.children[0].traced, 0), "the material does not reflect");
+
+    scene.integrator.threshold = 0.75f;
+    EXPECT_EQ(why(traced(scene), 0), "its throughput, 0.5, is below integrator.threshold, 0.75");
+    scene.integrator.threshold = 0;
+    scene.integrator.max_depth = 1;
+    const TracedRay last = traced(scene);
+    EXPECT_EQ(why(last, 0), "depth limit: integrator.max_depth is 1");
+    EXPECT_EQ(last.children[0].weight, Spectrum(0.5f)) << "weights are known of those too";
+}
+
+/// A pane whose outside is away from the eye is met at 60°: 1.5² sin² 60° is above 1.
+TEST(InspectedRay, TellsTotalReflection) {
+    Scene scene = one_ray();
+    const uint pane = add_material(scene, glass(1.5f));
+    const float h = std::sqrt(3.0f) / 2;
+    const auto on_pane = [&](float x, float s) { return vec3(x, 0.5f * s, h * s - 4); };
+    add_triangle(scene, pane, on_pane(-5, -3), on_pane(0, 3), on_pane(5, -3));
+    const auto why = [&](const TracedRay &ray, std::size_t j) {
+        return why_not_spawned(ray, j, scene.materials[ray.point.material].record, scene.integrator);
+    };
+    const TracedRay total = traced(scene);
+    ASSERT_TRUE(total.hits());
+    EXPECT_NEAR(total.description.cosine, 0.5, 1e-6);
+    EXPECT_NEAR(total.description.cosine_squared_beyond, 1 - 2.25 * 0.75, 1e-5);
+    EXPECT_EQ(total.interface.eta, 1.5f);
+    EXPECT_EQ(why(total, reflected_child), "");
+    EXPECT_EQ(total.children[reflected_child].weight, Spectrum(1));
+    EXPECT_EQ(why(total, refracted_child), "total internal reflection");
+}
+
+/// A ball within a ball of the same glass: its faces are no interfaces. The far side of the outer one is met 6 from the near one.
+TEST(InspectedRay, PassesFacesThatAreNoInterfaces) {
+    Scene scene = one_ray();
+    const uint ball = add_material(scene, glass(1.5f));
+    add_sphere(scene, ball, {0, 0, -8}, 3);
+    add_sphere(scene, ball, {0, 0, -8}, 1);
+    const TracedRay eye = traced(scene);
+    ASSERT_TRUE(eye.children.at(refracted_child).traced);
+    const TracedRay &inside = *eye.children[refracted_child].traced;
+    EXPECT_TRUE(inside.passed_faces());
+    EXPECT_EQ(inside.closest.primitive, 1u);
+    EXPECT_NEAR(inside.closest.t, 2, 1e-5) << "from z = -5 to z = -7";
+    EXPECT_EQ(RAY_SOURCE(inside.ray.tag), 1u);
+    EXPECT_NEAR(inside.ray.origin.z, -9, 1e-5);
+    EXPECT_EQ(inside.hit.primitive, 0u);
+    EXPECT_NEAR(inside.hit.t, 2, 1e-5) << "from z = -9 to z = -11";
+    const uint glass_once = 1u << 8 | 1u;
+    EXPECT_EQ(inside.before, std::vector<uint>{glass_once});
+    EXPECT_EQ(inside.behind, std::vector<uint>{0});
+}
+
+/// At normal incidence between equal indices Fresnel's reflectance is 0.
+TEST(InspectedRay, TellsWeightZero) {
+    Scene scene = one_ray();
+    const uint ball = add_material(scene, glass(1));
+    add_sphere(scene, ball, {0, 0, -8}, 3);
+    const TracedRay eye = traced(scene);
+    const Material &material = scene.materials[ball].record;
+    EXPECT_EQ(eye.children.at(refracted_child).weight, Spectrum(1));
+    EXPECT_EQ(why_not_spawned(eye, refracted_child, material, scene.integrator), "");
+    EXPECT_EQ(why_not_spawned(eye, reflected_child, material, scene.integrator), "its throughput is 0");
+}
+
+/// A contribution that is not finite is refused by the sums; nearest is to even, magnitudes end at 2^17.
+TEST(FixedPoint, IsWhatIsAccumulated) {
+    EXPECT_EQ(fixed_point({1, -0.5f, 0x1p-33f}), (FixedPoint{std::int64_t{1} << 32, -(std::int64_t{1} << 31), 0}));
+    EXPECT_EQ(fixed_point({0x1.8p-32f, 1e9f, -1e9f}), (FixedPoint{2, std::int64_t{1} << 49, -(std::int64_t{1} << 49)}));
+    EXPECT_EQ(fixed_point({1, NAN, 1}), FixedPoint{});
+}
+
+}  // namespace brandung

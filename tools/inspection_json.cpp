@@ -1,0 +1,222 @@
+#include "tools/inspection_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/inspection/reasons.h"
+#include "scene/lights/light.h"
+
+namespace brandung {
+namespace {
+
+using nlohmann::json;
+
+const char *const ray_kinds[RAY_KINDS] = {"camera", "reflected", "refracted", "shadow"};
+const char *const child_kinds[] = {"reflected", "refracted"};
+
+json decimal(float value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+std::string hex(float value) { return fmt::format("{:a}", value); }
+
+json number(float value) { return {{"decimal", decimal(value)}, {"hex", hex(value)}}; }
+json vector(vec3 v) { return {{"decimal", {decimal(v.x), decimal(v.y), decimal(v.z)}}, {"hex", {hex(v.x), hex(v.y), hex(v.z)}}}; }
+
+/// Sums of fixed point, per channel.
+using Total = std::array<__int128, 3>;
+
+std::string digits(unsigned __int128 value) {
+    const std::string last(1, static_cast<char>('0' + static_cast<int>(value % 10)));
+    return value < 10 ? last : digits(value / 10) + last;
+}
+std::string text(__int128 value) {
+    return value < 0 ? "-" + digits(-static_cast<unsigned __int128>(value)) : digits(static_cast<unsigned __int128>(value));
+}
+json fixed(const Total &total) { return {text(total[0]), text(total[1]), text(total[2])}; }
+Total widened(const FixedPoint &sum) { return {sum[0], sum[1], sum[2]}; }
+__int128 widened(Integer128 sum) { return static_cast<__int128>(static_cast<unsigned __int128>(sum.high) << 64 | sum.low); }
+
+Total widened(const Sample &sample) { return {widened(sample.sum[0]), widened(sample.sum[1]), widened(sample.sum[2])}; }
+
+/// Describes the rays of one scene, and keeps the running total of a sample.
+class Describer {
+public:
+    Describer(const Scene &scene, const CompiledScene &compiled) : scene_(scene), compiled_(compiled) {
+        uint first = 0;
+        for (const auto &shape : scene.shapes) first_primitives_.push_back(first), first += static_cast<uint>(shape->count());
+    }
+
+    json sample(const InspectedSample &sample) {
+        total_ = {}, rays_ = 0;
+        json tree = ray(sample.ray);
+        return {{"number", sample.number}, {"ray", tree}, {"sum", fixed(widened(sample.sum))}, {"weighed", fixed(widened(sample.weighed))}};
+    }
+
+private:
+    const Material &material_of(const TracedRay &ray) const { return scene_.materials[ray.point.material].record; }
+
+    json primitive(uint number) const {
+        const auto next = std::upper_bound(first_primitives_.begin(), first_primitives_.end(), number);
+        const auto object = static_cast<std::size_t>(next - first_primitives_.begin()) - 1;
+        const Shape &shape = *scene_.shapes[object];
+        return {{"primitive", number},
+                {"kind", shape.kind().name},
+                {"object", object},
+                {"primitive_of_object", number - first_primitives_[object]},
+                {"material", scene_.materials[shape.material].name}};
+    }
+    json hit(const Hit &hit) const {
+        if (hit.primitive == NO_HIT) return nullptr;
+        json result = primitive(hit.primitive);
+        result.update({{"t", number(hit.t)}, {"u", number(hit.u)}, {"v", number(hit.v)}});
+        return result;
+    }
+
+    /// What is left behind where a ray passes faces that are no interfaces.
+    json passed(const TracedRay &ray) const {
+        if (!ray.passed_faces()) return nullptr;
+        return {{"from", vector(ray.begun.origin)}, {"first", hit(ray.closest)}, {"last", primitive(RAY_SOURCE(ray.ray.tag))}};
+    }
+
+    json surface(const TracedRay &ray) const {
+        const HitDescription &d = ray.description;
+        return {{"point", vector(d.p)},
+                {"error", vector(d.error)},
+                {"geometric_normal", vector(d.geometric)},
+                {"shading_normal", vector(d.normal)},
+                {"side", glm::dot(d.geometric, ray.ray.direction) < 0 ? "enters" : "leaves"},
+                {"cosine", number(d.cosine)},
+                {"origin_lit_side", vector(ray.point.origin)},
+                {"origin_other_side", vector(ray.interface.beyond)}};
+    }
+
+    json media(const std::vector<uint> &entries) const {
+        json list = json::array();
+        for (const uint entry : entries)
+            if (entry != 0) list.push_back({{"material", scene_.materials[(entry >> 8) - 1].name}, {"times", entry & 0xffu}});
+        return list;
+    }
+    json interface(const TracedRay &ray) const {
+        const float squared = ray.description.cosine_squared_beyond;
+        return {{"media_before", media(ray.before)},
+                {"media_behind", media(ray.behind)},
+                {"eta", number(ray.interface.eta)},
+                {"cosine_squared_beyond", number(squared)},
+                {"total_internal_reflection", squared < 0}};
+    }
+
+    json unlit(const TracedRay &ray) const {
+        const bool hits = ray.hits();
+        const Spectrum black(0);
+        return {{"emission", vector(hits ? ray.description.emission : black)},
+                {"ambient", vector(hits ? ray.description.ambient : black)},
+                {"background", vector(hits ? black : ray.unlit)},
+                {"radiance", vector(ray.unlit)}};
+    }
+
+    json light(const TracedRay &ray, const TracedLight &light) const {
+        const bool counts = light.asked && light.visible;
+        return {{"light", light.light},
+                {"kind", light_kinds()[scene_.lights[light.light].kind].name},
+                {"origin", vector(light.ray.origin)},
+                {"direction", vector(light.ray.direction)},
+                {"t_max", number(light.ray.t_max)},
+                {"asked", light.asked},
+                {"why_not", why_not_asked(ray, light)},
+                {"visible", light.visible},
+                {"blocker", light.asked && !light.visible ? hit(light.blocker) : json(nullptr)},
+                {"radiance_if_visible", vector(light.radiance)},
+                {"contribution", vector(counts ? light.radiance * ray.path.throughput : Spectrum(0))}};
+    }
+
+    /// Adds each block's contribution to the running total.
+    json contributions(const TracedRay &ray) {
+        json list = json::array();
+        for (const TracedLightBlock &block : ray.lights) {
+            const FixedPoint sum = fixed_point(block.contribution);
+            for (std::size_t c = 0; c < 3; ++c) total_[c] += sum[c];
+            json lights = json::array();
+            for (const TracedLight &light : block.lights) lights.push_back(light.light);
+            list.push_back({{"lights", lights},
+                            {"radiance", vector(block.contribution)},
+                            {"fixed_point", fixed(widened(sum))},
+                            {"refused", !is_finite(block.contribution)},
+                            {"running_total", fixed(total_)}});
+        }
+        return list;
+    }
+
+    json child(const TracedRay &parent, std::size_t j) {
+        const TracedChild &child = parent.children[j];
+        return {{"kind", child_kinds[j]},
+                {"possible", can_spawn(parent, j, material_of(parent))},
+                {"spawned", child.traced != nullptr},
+                {"why_not", why_not_spawned(parent, j, material_of(parent), scene_.integrator)},
+                {"weight", vector(child.weight)},
+                {"direction", vector(child.ray.direction)},
+                {"ray", child.traced ? ray(*child.traced) : json(nullptr)}};
+    }
+
+    json ray(const TracedRay &ray) {
+        const Total before = total_;
+        json result = {{"number", rays_++},
+                       {"kind", ray_kinds[RAY_KIND(ray.ray.tag)]},
+                       {"depth", ray.path.depth},
+                       {"throughput", vector(ray.path.throughput)},
+                       {"origin", vector(ray.ray.origin)},
+                       {"direction", vector(ray.ray.direction)},
+                       {"passed", passed(ray)},
+                       {"hit", hit(ray.hit)},
+                       {"surface", nullptr},
+                       {"interface", nullptr},
+                       {"unlit", unlit(ray)},
+                       {"lights", json::array()},
+                       {"contributions", contributions(ray)},
+                       {"children", json::array()}};
+        if (ray.hits()) add_hit(ray, result);
+        result["subtotal"] = fixed({total_[0] - before[0], total_[1] - before[1], total_[2] - before[2]});
+        return result;
+    }
+
+    void add_hit(const TracedRay &ray, json &result) {
+        result["surface"] = surface(ray);
+        if (compiled_.transmits) result["interface"] = interface(ray);
+        for (const TracedLightBlock &block : ray.lights)
+            for (const TracedLight &each : block.lights) result["lights"].push_back(light(ray, each));
+        for (std::size_t j = 0; j < ray.children.size(); ++j) result["children"].push_back(child(ray, j));
+    }
+
+    const Scene &scene_;
+    const CompiledScene &compiled_;
+    std::vector<uint> first_primitives_;  ///< by shape
+    Total total_{};                       ///< of the sample so far
+    uint rays_ = 0;                       ///< of the sample so far
+};
+
+json pixel_value(const InspectedPixel &pixel) {
+    Total sum;
+    for (std::size_t c = 0; c < 3; ++c) sum[c] = widened(pixel.film.sums[0][c]) + widened(pixel.film.sums[1][c]);
+    return {{"samples", pixel.film.counts[0] + pixel.film.counts[1]}, {"fixed_point", fixed(sum)}, {"radiance", vector(pixel.radiance)}};
+}
+
+}  // namespace
+
+json inspection_json(const Scene &scene, const CompiledScene &compiled, const InspectedPixel &pixel, uint x, uint y) {
+    Describer describer(scene, compiled);
+    json samples = json::array();
+    for (const InspectedSample &sample : pixel.samples) samples.push_back(describer.sample(sample));
+    return {{"scene", scene.file},
+            {"x", x},
+            {"y", y},
+            {"width", scene.film.width},
+            {"height", scene.film.height},
+            {"spp", scene.film.spp},
+            {"seed", scene.film.seed},
+            {"integrator", scene.integrator.type},
+            {"max_depth", scene.integrator.max_depth},
+            {"threshold", scene.integrator.threshold},
+            {"samples", samples},
+            {"pixel", pixel_value(pixel)}};
+}
+
+}  // namespace brandung

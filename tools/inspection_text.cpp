@@ -1,0 +1,184 @@
+#include "tools/inspection_text.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+namespace brandung {
+namespace {
+
+using nlohmann::json;
+
+std::string text_of(const json &value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+std::string decimal(const json &value, const json &hex) { return value.is_null() ? text_of(hex) : fmt::format("{:g}", value.get<double>()); }
+
+/// "0.5 1 0 [0x1p-1 0x1p+0 0x0p+0]"; three equal ones, bit for bit, only once.
+std::string floats(const json &value) {
+    const json &decimals = value["decimal"], &hexes = value["hex"];
+    if (!decimals.is_array()) return fmt::format("{} [{}]", decimal(decimals, hexes), text_of(hexes));
+    if (hexes[0] == hexes[1] && hexes[1] == hexes[2]) return fmt::format("{} each [{}]", decimal(decimals[0], hexes[0]), text_of(hexes[0]));
+    std::string left, right;
+    for (std::size_t i = 0; i < 3; ++i) left += decimal(decimals[i], hexes[i]) + " ", right += (i > 0 ? " " : "") + text_of(hexes[i]);
+    return left + "[" + right + "]";
+}
+bool is_black(const json &value) { return value["decimal"] == json({0.0f, 0.0f, 0.0f}); }
+
+std::string fixed_point(const json &value) { return fmt::format("{} {} {}", text_of(value[0]), text_of(value[1]), text_of(value[2])); }
+/// Of fixed point, in decimal.
+std::string radiance(const json &value) {
+    const auto channel = [](const json &text) { return fmt::format("{:.4g}", std::strtod(text_of(text).c_str(), nullptr) * 0x1p-32); };
+    return fmt::format("{} {} {}", channel(value[0]), channel(value[1]), channel(value[2]));
+}
+
+std::string primitive(const json &p) {
+    return fmt::format("primitive {}, \"{}\": {} {} of object {}", text_of(p["primitive"]), text_of(p["material"]), text_of(p["kind"]),
+                       text_of(p["primitive_of_object"]), text_of(p["object"]));
+}
+
+/// Lines of a tree.
+class Lines {
+public:
+    void line(const std::string &what) { text_ += prefix_ + what + "\n"; }
+    void field(const std::string &name, const std::string &value) { line(fmt::format("{:<18} {}", name, value)); }
+    /// What `write` adds hangs on `what`.
+    template <class Write> void branch(const std::string &what, bool last, Write write) {
+        text_ += prefix_ + (last ? "└─ " : "├─ ") + what + "\n";
+        indented(last ? "   " : "│  ", write);
+    }
+    template <class Write> void indented(const std::string &by, Write write) {
+        const std::size_t length = prefix_.size();
+        prefix_ += by;
+        write();
+        prefix_.resize(length);
+    }
+    const std::string &text() const { return text_; }
+
+private:
+    std::string text_, prefix_;
+};
+
+// ---- the tree, a line per ray ----------------------------------------------------------------------------------------------------------------
+
+std::string what_it_meets(const json &ray) {
+    if (ray["hit"].is_null()) return "meets nothing";
+    return fmt::format("{} \"{}\", {} {}", text_of(ray["surface"]["side"]), text_of(ray["hit"]["material"]), text_of(ray["hit"]["kind"]),
+                       text_of(ray["hit"]["primitive"]));
+}
+
+void write_tree(Lines &lines, const json &ray, bool last);
+
+void write_branch(Lines &lines, const json &child, bool last) {
+    if (child["spawned"])
+        write_tree(lines, child["ray"], last);
+    else
+        lines.branch(fmt::format("no {}: {}", text_of(child["kind"]), text_of(child["why_not"])), last, [] {});
+}
+
+/// The ray and what the surface that it hits could spawn.
+void write_tree(Lines &lines, const json &ray, bool last) {
+    const std::string line =
+        fmt::format("{} {} {}: adds {}", text_of(ray["number"]), text_of(ray["kind"]), what_it_meets(ray), radiance(ray["subtotal"]));
+    std::vector<const json *> children;
+    for (const json &child : ray["children"])
+        if (child["possible"]) children.push_back(&child);
+    lines.branch(line, last, [&] {
+        for (const json *child : children) write_branch(lines, *child, child == children.back());
+    });
+}
+
+// ---- all that is known of each ray -----------------------------------------------------------------------------------------------------------
+
+std::string media(const json &list) {
+    std::string text;
+    for (const json &medium : list)
+        text += (text.empty() ? "" : ", ") + text_of(medium["material"]) + (medium["times"] > 1 ? " x " + text_of(medium["times"]) : "");
+    return text.empty() ? "none" : text;
+}
+
+void write_passed(Lines &lines, const json &passed) {
+    lines.field("spawned at", floats(passed["from"]));
+    lines.field("  passes first", primitive(passed["first"]) + ": no interface, the medium that counts stays");
+    lines.field("  passes last", primitive(passed["last"]));
+}
+
+void write_hit(Lines &lines, const json &ray) {
+    const json &hit = ray["hit"], &surface = ray["surface"], &interface = ray["interface"];
+    lines.field("hits", primitive(hit));
+    lines.field("  t, u, v", fmt::format("{}, {}, {}", floats(hit["t"]), floats(hit["u"]), floats(hit["v"])));
+    lines.field("point", floats(surface["point"]));
+    lines.field("  error bound", floats(surface["error"]));
+    lines.field("geometric normal", floats(surface["geometric_normal"]));
+    lines.field("shading normal", surface["shading_normal"] == surface["geometric_normal"] ? "the same" : floats(surface["shading_normal"]));
+    lines.field("side", fmt::format("{}; cosine {}", text_of(surface["side"]), floats(surface["cosine"])));
+    if (interface.is_null()) return;
+    lines.field("media", fmt::format("before: {}; behind: {}", media(interface["media_before"]), media(interface["media_behind"])));
+    lines.field("eta", floats(interface["eta"]) + (interface["total_internal_reflection"] ? "; total internal reflection if it transmits" : ""));
+}
+
+void write_light(Lines &lines, const json &light) {
+    const std::string name = fmt::format("light {}, {}", text_of(light["light"]), text_of(light["kind"]));
+    if (!light["asked"]) return lines.field(name, "not asked: " + text_of(light["why_not"]));
+    lines.field(name, light["visible"] ? "visible; adds " + floats(light["contribution"]) : "hidden by " + primitive(light["blocker"]));
+    lines.field("  from", floats(light["origin"]));
+    lines.field("  direction", floats(light["direction"]));
+    lines.field("  t_max", floats(light["t_max"]));
+    if (!light["visible"]) lines.field("  t of what hides", floats(light["blocker"]["t"]));
+    lines.field(light["visible"] ? "  radiance" : "  hidden radiance", floats(light["radiance_if_visible"]));
+}
+
+void write_child(Lines &lines, const json &child) {
+    const std::string name = text_of(child["kind"]) + " ray";
+    lines.field(name, child["spawned"] ? "ray " + text_of(child["ray"]["number"]) : "none: " + text_of(child["why_not"]));
+    if (!child["possible"]) return;
+    lines.field("  weight", floats(child["weight"]));
+    lines.field("  direction", floats(child["direction"]));
+}
+
+void write_contribution(Lines &lines, const json &contribution) {
+    lines.field("contribution", floats(contribution["radiance"]) + (contribution["refused"] ? "; refused, since not finite" : ""));
+    lines.field("  fixed point", fixed_point(contribution["fixed_point"]));
+    lines.field("  total so far", fixed_point(contribution["running_total"]));
+}
+
+void write_fields(Lines &lines, const json &ray) {
+    lines.field("throughput", floats(ray["throughput"]));
+    if (!ray["passed"].is_null()) write_passed(lines, ray["passed"]);
+    lines.field("origin", floats(ray["origin"]));
+    lines.field("direction", floats(ray["direction"]));
+    if (!ray["hit"].is_null()) write_hit(lines, ray);
+    for (const char *name : {"background", "emission", "ambient"})
+        if (!is_black(ray["unlit"][name])) lines.field(name, floats(ray["unlit"][name]));
+    for (const json &light : ray["lights"]) write_light(lines, light);
+    for (const json &contribution : ray["contributions"]) write_contribution(lines, contribution);
+    for (const json &child : ray["children"]) write_child(lines, child);
+}
+
+void write_details(Lines &lines, const json &ray) {
+    lines.line(fmt::format("ray {}: {}, depth {}, {}", text_of(ray["number"]), text_of(ray["kind"]), text_of(ray["depth"]), what_it_meets(ray)));
+    lines.indented("  ", [&] { write_fields(lines, ray); });
+    for (const json &child : ray["children"])
+        if (child["spawned"]) write_details(lines, child["ray"]);
+}
+
+}  // namespace
+
+std::string inspection_text(const json &inspection, bool brief) {
+    Lines lines;
+    lines.line(fmt::format("{}, pixel {},{} of {} x {}: {} spp, seed {}, {}, max_depth {}, threshold {}", text_of(inspection["scene"]),
+                           text_of(inspection["x"]), text_of(inspection["y"]), text_of(inspection["width"]), text_of(inspection["height"]),
+                           text_of(inspection["spp"]), text_of(inspection["seed"]), text_of(inspection["integrator"]),
+                           text_of(inspection["max_depth"]), text_of(inspection["threshold"])));
+    for (const json &sample : inspection["samples"]) {
+        lines.line(fmt::format("sample {}: {}", text_of(sample["number"]), radiance(sample["sum"])));
+        write_tree(lines, sample["ray"], true);
+        if (!brief) write_details(lines, sample["ray"]);
+        lines.field("sum of sample " + text_of(sample["number"]), fixed_point(sample["sum"]));
+        if (sample["weighed"] != sample["sum"]) lines.field("  weighed by filter", fixed_point(sample["weighed"]));
+    }
+    const json &pixel = inspection["pixel"];
+    lines.field("sum of pixel", fmt::format("{} in {} samples", fixed_point(pixel["fixed_point"]), text_of(pixel["samples"])));
+    lines.field("pixel", floats(pixel["radiance"]));
+    return lines.text();
+}
+
+}  // namespace brandung
