@@ -46,6 +46,9 @@ public:
     Parameters child(const std::string &name) const;                  ///< an object; an empty one if absent
     std::vector<Parameters> children(const std::string &name) const;  ///< an array of objects, empty if absent
 
+    /// Whom to tell how far a file has been read that the object names.
+    const ReadProgress &progress() const { return document_->progress; }
+
     void expect_all_known() const;
     /// `file:line: pointer`, of the named value or of the object itself if the name is empty or absent; for errors that are found later.
     std::string place(const std::string &name) const;

@@ -48,8 +48,9 @@ void read_objects(const Parameters &root, Scene &scene) {
     for (const NamedMaterial &material : scene.materials) materials.push_back(material.name);
     for (const Parameters &parameters : root.children("objects")) {
         const ShapeReader &reader = kind_of(parameters, shape_readers());
-        if (materials.empty()) parameters.fail("material", "the scene has no materials");
-        reader.read(parameters, parameters.choice("material", materials), scene);
+        const bool by_file = reader.from_file && !parameters.has("material");
+        if (materials.empty() && !by_file) parameters.fail("material", "the scene has no materials");
+        reader.read(parameters, by_file ? material_of_file : parameters.choice("material", materials), scene);
         parameters.expect_all_known();
     }
 }
@@ -104,10 +105,11 @@ void check_keys(const Parameters &root) {
 
 }  // namespace
 
-Scene read_native(const std::string &file, const std::vector<std::string> &assignments) {
+Scene read_native(const std::string &file, const ReadOptions &options) {
     Document document = read_document(file);
+    document.progress = options.progress;
     Parameters(document, "");  // what is no object is refused as such, not as one without the members to set
-    for (const std::string &assignment : assignments) set_value(document, assignment);
+    for (const std::string &assignment : options.assignments) set_value(document, assignment);
     const Parameters root(document, "");
     check_keys(root);
 

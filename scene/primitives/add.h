@@ -12,6 +12,8 @@ void add_sphere(Scene &scene, uint material, vec3 center, float radius);
 void add_frustum(Scene &scene, uint material, vec3 base, float base_radius, vec3 apex, float apex_radius);
 /// Indices are below the number of positions.
 void add_triangle_mesh(Scene &scene, uint material, MeshData mesh);
+/// Indices (three per triangle) of a polygon's triangles; empty without area. What is wrong with it is counted.
+std::vector<uint> triangulate_polygon(const std::vector<vec3> &vertices, std::map<std::string, uint> &warnings);
 /// Triangulates a polygon and appends it to a mesh; `normals` is empty, as in the mesh so far, or has a unit vector per vertex.
 void append_polygon(Scene &scene, MeshData &mesh, const std::vector<vec3> &vertices, const std::vector<vec3> &normals);
 

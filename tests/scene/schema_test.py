@@ -47,6 +47,9 @@ BROKEN = {
         {"type": "triangle_mesh", "material": "grey", "positions": [[0, 0, 0]], "indices": [0, 0, -1]},
         {"type": "triangle_mesh", "material": "grey", "positions": [[0, 0, 0]], "indices": [0, 0, 0], "uvs": [[1]]},
         {"type": "polygon", "material": "grey", "vertices": [[0, 0, 0], [1, 0, 0]]},
+        {"type": "mesh"},
+        {"type": "mesh", "file": ""},
+        {"type": "mesh", "file": "bunny.obj", "material": 1},
     ],
     "/sphere": [{}],
 }
