@@ -114,6 +114,10 @@ void print_faults(Preview &preview, ProgressLine &progress) {
     }
 }
 
+void print_notes(const Scene &scene) {
+    for (const std::string &note : scene.notes) fmt::print(stderr, "{}\n", note);
+}
+
 /// Writes the pictures so far now and then; where that fails the render goes on.
 Observer saving(const Options &options, Job &job, PhaseSeconds seconds, ProgressLine &progress) {
     if (!options.save_every) return {};
@@ -143,14 +147,16 @@ int render(const Options &options) {
     const std::vector<PreviewTarget> targets = preview_targets(options);
     const std::optional<double> hold = hold_seconds(options);
     double read_seconds = 0;
-    const Scene scene = timed(read_seconds, [&] { return read_scene(options); });
+    ProgressLine progress(options.quiet);
+    const auto on_read = [&](const std::string &file, double part) { progress.show_reading(file, part); };
+    const Scene scene = timed(read_seconds, [&] { return read_scene(options, on_read); });
+    progress.clear();
     check_outputs(options.outputs, scene.film);
     if (!options.stats.empty()) check_writable(options.stats);
 
     Preview preview(targets, scene, options.outputs.files.front(), options.batch);
     for (const std::string &url : preview.urls()) fmt::print(stderr, "preview: {}\n", url);
 
-    ProgressLine progress(options.quiet);
     const auto say = [&](const std::string &what) { progress.say(what), preview.say(what); };
     Job *rendering = nullptr;
     const auto on_progress = [&](const RenderProgress &done) {
@@ -170,6 +176,7 @@ int render(const Options &options) {
     print_threads_beyond(options, job.device.info());
     if (options.explain) print_result(explain(features(job)));
     handle_interruptions();
+    if (!options.quiet) print_notes(scene);
     if (!options.quiet) print_plan(job);
     say("first batch: what the kernel cache does not have is compiled");
 
