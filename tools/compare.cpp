@@ -155,7 +155,7 @@ int run(const Options &options) {
     const PicturePair pair = paired(options, test, reference);
     const Comparison comparison = compare(pair, options.pixels_per_degree);
     const std::vector<Tolerance> beyond = broken(tolerances, comparison);
-    if (!options.diff.empty()) write_picture(options.diff, difference_picture(pair, comparison.flip), 0);
+    if (!options.diff.empty()) write_picture(options.diff, difference_picture(pair, comparison.flip));
     print_result(options.as_json ? as_json(options, pair, comparison).dump(2) + "\n" : as_text(options, pair, comparison));
     for (const Tolerance &tolerance : beyond)
         std::cerr << fmt::format("beyond tolerance: {} is {:.6g}, {} {:g}\n", tolerance.measure->name, *tolerance.measure->value(comparison),

@@ -29,7 +29,8 @@ InspectedPixel inspect_pixel(const InspectedRender &render, uint x, uint y, Samp
         }
         first += count;
     }
-    const std::size_t place = std::size_t{y} * render.film.width() + x;
+    const Window &window = render.film.window();
+    const std::size_t place = std::size_t{y - window.top} * window.width() + (x - window.left);
     pixel.film = render.film.read()[place];
     pixel.radiance = render.film.develop()[place];
     return pixel;

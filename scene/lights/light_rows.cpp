@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/compile.h"
 #include "scene/lights/light.h"
 
 namespace brandung {

@@ -116,7 +116,7 @@ void Preview::update_counts(const Job &job) {
 
 void Preview::take_picture(Film &film) {
     double cost = 0;
-    timed(cost, [&] { state_.picture = std::make_shared<Picture>(Picture{film.width(), film.height(), film.develop(), {}}); });
+    timed(cost, [&] { state_.picture = std::make_shared<Picture>(Picture{film.window().width(), film.window().height(), film.develop(), {}}); });
     if (automatic_exposure_) state_.subject.style.exposure = automatic_exposure(state_.picture->pixels);
     next_picture_ = seconds_now() + std::max(seconds_between_pictures, cost * pictures_share);
 }
