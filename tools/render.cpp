@@ -66,9 +66,10 @@ double mebibytes(std::size_t bytes) { return static_cast<double>(bytes) / (1 << 
 void check_memory(const Job &job) {
     const DeviceInfo &device = job.device.info();
     if (job.bytes() > device.memory)
-        throw Error(fmt::format("{}: rendering takes up to {:.1f} MiB (scene {:.1f}, textures {:.1f}, film {:.1f}, waves {:.1f}), but '{}' has {:.1f} MiB",
-                                job.scene.file, mebibytes(job.bytes()), mebibytes(job.on_device.bytes()), mebibytes(job.on_device.texture_bytes()), mebibytes(job.film.bytes()),
-                                mebibytes(job.renderer.wave_bytes()), device.name, mebibytes(device.memory)));
+        throw Error(
+            fmt::format("{}: rendering takes up to {:.1f} MiB (scene {:.1f}, textures {:.1f}, film {:.1f}, waves {:.1f}), but '{}' has {:.1f} MiB",
+                        job.scene.file, mebibytes(job.bytes()), mebibytes(job.on_device.bytes()), mebibytes(job.on_device.texture_bytes()),
+                        mebibytes(job.film.bytes()), mebibytes(job.renderer.wave_bytes()), device.name, mebibytes(device.memory)));
 }
 
 void print_warnings(const std::map<std::string, uint> &warnings) {
@@ -84,8 +85,8 @@ void print_plan(const Job &job) {
     const FilmSettings &film = job.scene.film;
     const std::size_t texture_bytes = job.on_device.texture_bytes();
     const std::string textures = texture_bytes == 0 ? "" : fmt::format("textures {:.1f} MiB, ", mebibytes(texture_bytes));
-    fmt::print(stderr, "{}: {} x {}, {} spp on {}; memory: scene {:.1f} MiB, {}film {:.1f} MiB, waves at most {:.1f} MiB\n", job.scene.file, film.width,
-               film.height, film.spp, job.device.info().name, mebibytes(job.on_device.bytes()), textures, mebibytes(job.film.bytes()),
+    fmt::print(stderr, "{}: {} x {}, {} spp on {}; memory: scene {:.1f} MiB, {}film {:.1f} MiB, waves at most {:.1f} MiB\n", job.scene.file,
+               film.width, film.height, film.spp, job.device.info().name, mebibytes(job.on_device.bytes()), textures, mebibytes(job.film.bytes()),
                mebibytes(job.renderer.wave_bytes()));
 }
 

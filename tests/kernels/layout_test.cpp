@@ -23,6 +23,7 @@
 #include "kernels/primitives/smooth_triangle.h"
 #include "kernels/primitives/sphere.h"
 #include "kernels/primitives/surface.h"
+#include "kernels/textures/texture.h"
 #include "tests/support/probe.h"
 
 namespace brandung {
