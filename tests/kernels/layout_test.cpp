@@ -27,6 +27,7 @@
 #include "kernels/primitives/sphere.h"
 #include "kernels/primitives/surface.h"
 #include "kernels/stages/describe_hits.h"
+#include "kernels/textures/texture.h"
 #include "tests/support/probe.h"
 
 namespace brandung {

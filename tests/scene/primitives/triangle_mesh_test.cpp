@@ -60,7 +60,7 @@ TEST(TriangleMeshShape, WritesItsShadingWords) {
     const auto smooth = make_triangle_mesh(0, smooth_square());
     shading_of<SmoothTriangleShading>(*smooth, 0, tables);
     const auto second = shading_of<SmoothTriangleShading>(*smooth, 1, tables);
-    EXPECT_EQ(second.c, vec3(0, 1, 4));
+    EXPECT_EQ(second.flat.c, vec3(0, 1, 4));
     EXPECT_EQ(second.normals, 1u);
     ASSERT_EQ(tables.vertex_normals.size(), 2u);
     EXPECT_EQ(tables.vertex_normals[1].a, vec3(0, 0, 1));

@@ -30,11 +30,11 @@ TEST(Texture, ReadsAFileOnceForTheSameOptions) {
 
 TEST(Texture, EncodingDecidesWhatNumbersMean) {
     const TemporaryFile file("x", ".png");
-    const std::string path = picture_file(file, {vec3(0.5f)});  // 188 of 255 by the sRGB curve
+    const std::string path = picture_file(file, {vec3(0.5f)});  // 188 of 255 by the sRGB curve: back, ((188 / 255 + 0.055) / 1.055)^2.4
     Scene scene;
     read_texture(scene, path);
     read_texture(scene, path, {.encoding = Encoding::linear});
-    EXPECT_NEAR(scene.textures[0].picture.pixels[0].x, 0.5f, 0.002f);
+    EXPECT_NEAR(scene.textures[0].picture.pixels[0].x, 0.502886f, 1e-6f);
     EXPECT_FLOAT_EQ(scene.textures[1].picture.pixels[0].x, 188 / 255.0f);
 }
 
