@@ -48,7 +48,7 @@ void PrintTo(const Layout &layout, std::ostream *out) {
 
 // One entry per member; the preprocessor needs as many rounds as a record has members.
 #define AGAIN()
-#define ROUNDS(...) ROUNDS_3(ROUNDS_3(ROUNDS_3(__VA_ARGS__)))
+#define ROUNDS(...) ROUNDS_3(ROUNDS_3(ROUNDS_3(ROUNDS_3(ROUNDS_3(__VA_ARGS__)))))
 #define ROUNDS_3(...) ROUNDS_1(ROUNDS_1(ROUNDS_1(__VA_ARGS__)))
 #define ROUNDS_1(...) __VA_ARGS__
 #define MEMBERS(Record, name, ...) {#name, offsetof(Record, name)}, __VA_OPT__(MORE_MEMBERS AGAIN()()(Record, __VA_ARGS__))

@@ -19,7 +19,7 @@ InspectedPixel inspect(const Scene &scene, uint x, uint y, SampleRange kept, uin
     Device &device = test_device();
     const CompiledScene compiled = compile(scene);
     const DeviceScene on_device(device, compiled);
-    Film film(device, scene.film.width, scene.film.height);
+    Film film(device, scene.film.window());
     Renderer renderer(device, scene, compiled, on_device, scene.cameras.at(0), {batch, nullptr});
     return inspect_pixel({device, on_device, renderer, film, scene.film.spp, batch}, x, y, kept);
 }
@@ -62,7 +62,7 @@ void PrintTo(const Picture &picture, std::ostream *out) { *out << picture.name; 
 
 Scene example(const char *name, std::vector<std::string> settings) {
     settings.insert(settings.end(), {"film.width=16", "film.height=12"});
-    return read_scene(std::string(BRANDUNG_SOURCE_DIR "/scene/examples/") + name, settings);
+    return read_scene(std::string(BRANDUNG_SOURCE_DIR "/scene/examples/") + name, {settings, {}, {}});
 }
 
 /// Eleven lights are a block and a part of one.
