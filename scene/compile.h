@@ -28,11 +28,15 @@ struct CompiledScene {
     bool tints = false;                        ///< whether pictures or vertices give any hit or miss a colour
     uint interior_size = 0;                    ///< entries of a ray's list of media: at least the number of `media` up to max_interior_size
     uint media = 0;                            ///< transparent materials of things, and those that an eye is in, if there are things to refract
-    std::size_t primitive_count = 0;
+    std::size_t primitive_count = 0;           ///< those of a group count once
+    std::size_t group_count = 0, instance_count = 0;
     std::vector<std::size_t> counts;  ///< of primitives, by kind in use
     double accelerator_seconds = 0;
     std::map<std::string, uint> warnings;  ///< the scene's and those found here: text -> how often
 };
+
+/// Groups that have instances, in order: what others hold is left out.
+std::vector<std::size_t> groups_in_use(const Scene &scene);
 
 /// Throws SceneError if the scene is too big, or names an unknown accelerator.
 CompiledScene compile(const Scene &scene);

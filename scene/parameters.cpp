@@ -189,6 +189,17 @@ vec3 Parameters::vector(const std::string &name, std::optional<vec3> fallback) c
 Spectrum Parameters::spectrum(const std::string &name, std::optional<Spectrum> fallback) const { return read_or(name, fallback, read_spectrum); }
 Spectrum Parameters::fraction(const std::string &name, std::optional<Spectrum> fallback) const { return read_or(name, fallback, read_fraction); }
 
+vec3 Parameters::factors(const std::string &name) const {
+    return read(name, [](const json &value) { return read_spectrum_of(value, read_number); });
+}
+
+std::vector<float> Parameters::numbers(const std::string &name, std::size_t count) const {
+    return read(name, [=](const json &value) {
+        expect_length(value, count);
+        return read_elements(value, read_number);
+    });
+}
+
 uint Parameters::integer(const std::string &name, std::optional<uint> fallback, uint low, uint high) const {
     return read_or(name, fallback, [=](const json &value) { return read_integer(value, low, high); });
 }
@@ -230,6 +241,12 @@ std::vector<Parameters> Parameters::children(const std::string &name) const {
     for (std::size_t i = 0; value && i < value->size(); ++i)
         result.emplace_back(*document_, pointer_ + "/" + pointer_step(name) + "/" + std::to_string(i));
     return result;
+}
+
+std::vector<Parameters> Parameters::one_or_more(const std::string &name) const {
+    const json *value = find(name);
+    if (value && value->is_object()) return {child(name)};
+    return children(name);
 }
 
 void Parameters::expect_all_known() const {

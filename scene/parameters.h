@@ -32,6 +32,10 @@ public:
     /// The index of one of `choices`.
     uint choice(const std::string &name, const std::vector<std::string> &choices, std::optional<uint> fallback = {}) const;
     vec3 vector(const std::string &name, std::optional<vec3> fallback = {}) const;
+    /// One number for all three or an array of three.
+    vec3 factors(const std::string &name) const;
+    /// An array of so many.
+    std::vector<float> numbers(const std::string &name, std::size_t count) const;
     /// One number for all three or an array of three; none negative, none beyond the range of a float.
     Spectrum spectrum(const std::string &name, std::optional<Spectrum> fallback = {}) const;
     /// The same, none beyond 1.
@@ -45,6 +49,8 @@ public:
 
     Parameters child(const std::string &name) const;                  ///< an object; an empty one if absent
     std::vector<Parameters> children(const std::string &name) const;  ///< an array of objects, empty if absent
+    /// The same, where one object stands for an array of it.
+    std::vector<Parameters> one_or_more(const std::string &name) const;
 
     void expect_all_known() const;
     /// `file:line: pointer`, of the named value or of the object itself if the name is empty or absent; for errors that are found later.

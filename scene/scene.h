@@ -9,6 +9,7 @@
 #include "kernels/core/scene.h"
 #include "scene/primitives/shape.h"
 #include "scene/textures/texture.h"
+#include "scene/transform.h"
 
 namespace brandung {
 
@@ -43,12 +44,29 @@ struct NamedMaterial {
     Material record;
 };
 
+/// Objects in a space of their own, which are seen where instances place them.
+struct NamedGroup {
+    std::string name;
+    std::vector<std::unique_ptr<Shape>> shapes;
+    Bounds bounds;  ///< of the shapes
+};
+
+/// A group placed in the world.
+struct PlacedGroup {
+    uint group;  ///< index into Scene::groups
+    TransformPair transforms;
+    Bounds bounds;                ///< in the world
+    uint material = NO_MATERIAL;  ///< index into Scene::materials of what all its objects are made of, if not of their own
+};
+
 struct Scene {
     std::string file;
     std::vector<CameraDescription> cameras;  ///< the first is the default
     std::vector<NamedMaterial> materials;
     std::vector<Texture> textures;
     std::vector<std::unique_ptr<Shape>> shapes;
+    std::vector<NamedGroup> groups;
+    std::vector<PlacedGroup> instances;
     std::vector<Light> lights;
     Spectrum background{0}, ambient{0};
     uint background_texture = 0;  ///< number + 1 of the panorama that the background is multiplied by; 0: none

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <span>
 
+#include "kernels/primitives/instance.h"
+
 namespace brandung {
 namespace {
 
@@ -70,6 +72,11 @@ std::uint64_t scene_hash(const Scene &scene, const CompiledScene &compiled) {
     hash.add(records(header.materials, sizeof(Material)));
     hash.add(records(header.lights, sizeof(Light)));
     for (const auto &shape : scene.shapes) add_lanes(*shape, hash);
+    if (!scene.instances.empty()) {
+        hash.add(records(header.instances, sizeof(Instance)));
+        for (const std::size_t group : groups_in_use(scene))
+            for (const auto &shape : scene.groups[group].shapes) add_lanes(*shape, hash);
+    }
     hash.add_value(header.background);
     hash.add_value(header.background_texture);
     hash.add_value(header.background_turn);

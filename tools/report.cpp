@@ -21,6 +21,7 @@ std::vector<std::string> features_in_use(const Scene &scene, const CompiledScene
     used.push_back("accelerator " + compiled.accelerator);
     used.push_back(std::string("filter ") + filter_kinds()[compiled.filter].name);
     used.push_back("integrator " + scene.integrator.type);
+    if (compiled.instance_count > 0) used.push_back(fmt::format("{} instances of {} groups", compiled.instance_count, compiled.group_count));
     if (compiled.reflects) used.push_back("reflected rays");
     if (compiled.transmits) used.push_back(fmt::format("refracted rays, lists of {} media", compiled.interior_size));
     return used;
@@ -32,6 +33,7 @@ std::vector<Skipped> kinds_not_in_use(const CompiledScene &compiled) {
     for (const PrimitiveKind *kind : primitive_kinds())
         if (std::find(compiled.primitives.begin(), compiled.primitives.end(), kind) == compiled.primitives.end())
             skipped.push_back({std::string("primitive ") + kind->name, "the scene has none"});
+    if (compiled.instance_count == 0) skipped.push_back({"instances", "the scene has none"});
     for (uint kind = 0; kind < light_kinds().size(); ++kind)
         if (std::find(compiled.lights.begin(), compiled.lights.end(), kind) == compiled.lights.end())
             skipped.push_back({std::string("light ") + light_kinds()[kind].name, "the scene has none"});
@@ -77,10 +79,9 @@ json phases(const PhaseSeconds &seconds) {
 }  // namespace
 
 json scene_contents(const Scene &scene, const CompiledScene &compiled) {
-    json contents = {{"primitives", compiled.primitive_count},
-                     {"triangles", 0},
-                     {"lights", scene.lights.size()},
-                     {"materials", scene.materials.size()},
+    json contents = {{"primitives", compiled.primitive_count}, {"triangles", 0},
+                     {"groups", compiled.group_count},         {"instances", compiled.instance_count},
+                     {"lights", scene.lights.size()},          {"materials", scene.materials.size()},
                      {"cameras", scene.cameras.size()}};
     for (std::size_t kind = 0; kind < compiled.primitives.size(); ++kind) {
         const std::string name = compiled.primitives[kind]->name;

@@ -6,7 +6,8 @@
 
 namespace brandung {
 
-/// {"primitives": 12, "triangles": 8, "lights": 1, "materials": 2, "cameras": 1, "kinds": {"sphere": 4, "triangle": 8}}: what is in the scene.
+/// {"primitives": 12, "triangles": 8, "groups": 0, "instances": 0, "lights": 1, "materials": 2, "cameras": 1, "kinds": {"sphere": 4, "triangle": 8}}:
+/// what is in the scene.
 nlohmann::json scene_contents(const Scene &scene, const CompiledScene &compiled);
 /// {"used": [text, ...], "skipped": [{"name": text, "why": text}, ...]}: what the scene needs, what was skipped and why.
 nlohmann::json features(const Job &job);

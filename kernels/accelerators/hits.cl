@@ -1,4 +1,6 @@
 // What a traversal gathers: the closest hit and whether it has company, for one ray and for packets; or all hits up to some t.
+// In scenes with instances it also knows which one it is in: `inside`, 0 outside of all, and `entry`, where the ray enters that one's box. A hit
+// before the entry, which is due to rounding, is moved there, so that no box in the world can lose it.
 #pragma once
 #include "generated/constants.h"
 #include "kernels/accelerators/packet.cl"
@@ -7,6 +9,9 @@
 typedef struct {
     Hit hit;
     float next, margin;  ///< t of the second hit, if it is at most `margin` behind; else anything beyond
+    uint instance;       ///< that the hit is in
+    uint inside;
+    float entry;
 } Nearest;
 
 /// How far behind the closest hit others are looked for, over pad: coincident faces are that near even at grazing angles, where rounding of a plane
@@ -16,18 +21,28 @@ typedef struct {
 FUNCTION float crowd_margin(const ray_x8 *ray) { return CROWD_MARGIN * ray->pad.s0 / largest(absolute(ray->direction)).s0; }
 
 FUNCTION Nearest nothing_hit(const ray_x8 *ray) {
-    const Nearest nearest = {{ray->t_max.s0, 0.0f, 0.0f, NO_HIT}, INFINITY, crowd_margin(ray)};
+    const Nearest nearest = {{ray->t_max.s0, 0.0f, 0.0f, NO_HIT}, INFINITY, crowd_margin(ray), NO_HIT, 0u, 0.0f};
     return nearest;
 }
 
 /// Whether there is more than the closest hit.
 FUNCTION bool is_crowded(Nearest nearest) { return nearest.hit.primitive != NO_HIT && nearest.next <= nearest.hit.t + nearest.margin; }
 
+/// Whether a hit comes before the closest one in the order of (t, instance, primitive).
+FUNCTION bool is_before(float t, uint primitive, const Nearest *nearest) {
+    const Hit hit = nearest->hit;
+    if (INSTANCES && t == hit.t && nearest->inside != nearest->instance) return nearest->inside < nearest->instance;
+    return t < hit.t || (t == hit.t && primitive < hit.primitive);
+}
+
 /// Nearest, lane by lane.
 typedef struct {
     float16 t, u, v;
     uint16 primitive;
     float16 next, margin;
+    uint16 instance;
+    uint inside;
+    float16 entry;
 } PacketHits;
 
 FUNCTION PacketHits packet_without_hits(const Packet *packet, float extent) {
@@ -35,21 +50,55 @@ FUNCTION PacketHits packet_without_hits(const Packet *packet, float extent) {
     hits.t = packet->t_max, hits.u = (float16)(0.0f), hits.v = (float16)(0.0f), hits.primitive = (uint16)(NO_HIT);
     hits.next = (float16)(INFINITY);
     hits.margin = CROWD_MARGIN * box_pad(packet->origin, extent) / largest(absolute(packet->direction));
+    if (INSTANCES) hits.instance = (uint16)(NO_HIT), hits.inside = 0u, hits.entry = (float16)(0.0f);
     return hits;
 }
 
-#define HIT_LIST_SIZE 8u
-/// The first few hits in the order of (t, primitive).
+FUNCTION int16 is_before(float16 t, uint16 primitive, const PacketHits *hits) {
+    const int16 first = primitive < hits->primitive;
+    if (!INSTANCES) return (t < hits->t) | ((t == hits->t) & first);
+    const uint16 inside = (uint16)(hits->inside);
+    return (t < hits->t) | ((t == hits->t) & ((inside < hits->instance) | ((inside == hits->instance) & first)));
+}
+
+/// A hit, and the instance that it is in.
 typedef struct {
-    Hit hits[HIT_LIST_SIZE];
+    Hit hit;
+    uint instance;
+} PlacedHit;
+
+FUNCTION PlacedHit closest_of(Nearest nearest) {
+    const PlacedHit placed = {nearest.hit, INSTANCES && nearest.hit.primitive != NO_HIT ? nearest.instance : 0u};
+    return placed;
+}
+
+#define HIT_LIST_SIZE 8u
+/// The first few hits in the order of (t, instance, primitive).
+typedef struct {
+    PlacedHit hits[HIT_LIST_SIZE];
     uint count;
+    uint inside;
+    float entry;
 } HitList;
 
+FUNCTION HitList empty_list(void) {
+    HitList list;
+    list.count = 0u, list.inside = 0u, list.entry = 0.0f;
+    return list;
+}
+
+FUNCTION bool is_before(PlacedHit a, PlacedHit b) {
+    if (a.hit.t != b.hit.t) return a.hit.t < b.hit.t;
+    if (a.instance != b.instance) return a.instance < b.instance;
+    return a.hit.primitive < b.hit.primitive;
+}
+
 FUNCTION void hit_list_add(HitList *list, Hit hit) {
+    PlacedHit added = {hit, list->inside};
     for (uint k = 0u; k < list->count; ++k) {
-        const Hit other = list->hits[k];
-        if (hit.t > other.t || (hit.t == other.t && hit.primitive > other.primitive)) continue;
-        list->hits[k] = hit, hit = other;
+        const PlacedHit other = list->hits[k];
+        if (is_before(other, added)) continue;
+        list->hits[k] = added, added = other;
     }
-    if (list->count < HIT_LIST_SIZE) list->hits[list->count++] = hit;
+    if (list->count < HIT_LIST_SIZE) list->hits[list->count++] = added;
 }

@@ -38,12 +38,14 @@ FUNCTION void block_closest_hit(Scene scene, const global Group *group, uint kin
     if (bits == 0u) return;
     const global uint *primitive = block_numbers(scene, group, kind, block);
     float t[8], u[8], v[8];
-    vstore8(crossing.t, 0, t), vstore8(crossing.u, 0, u), vstore8(crossing.v, 0, v);
+    vstore8(INSTANCES ? maximum(crossing.t, (float8)(nearest->entry)) : crossing.t, 0, t);
+    vstore8(crossing.u, 0, u), vstore8(crossing.v, 0, v);
     for (; bits != 0u; bits &= bits - 1u) {
         const uint j = lowest_bit(bits);
-        if (t[j] < hit->t || (t[j] == hit->t && primitive[j] < hit->primitive)) {
+        if (is_before(t[j], primitive[j], nearest)) {
             nearest->next = hit->primitive == NO_HIT ? INFINITY : hit->t;
             hit->t = t[j], hit->u = u[j], hit->v = v[j], hit->primitive = primitive[j];
+            if (INSTANCES) nearest->instance = nearest->inside;
         } else {
             nearest->next = minimum(nearest->next, t[j]);
         }
@@ -60,7 +62,8 @@ FUNCTION bool block_any_hit(Scene scene, const global Group *group, uint kind, u
     if (list == 0 || bits == 0u) return bits != 0u;
     const global uint *primitive = block_numbers(scene, group, kind, block);
     float t[8], u[8], v[8];
-    vstore8(crossing.t, 0, t), vstore8(crossing.u, 0, u), vstore8(crossing.v, 0, v);
+    vstore8(INSTANCES ? maximum(crossing.t, (float8)(list->entry)) : crossing.t, 0, t);
+    vstore8(crossing.u, 0, u), vstore8(crossing.v, 0, v);
     for (; bits != 0u; bits &= bits - 1u) {
         const uint j = lowest_bit(bits);
         const Hit hit = {t[j], u[j], v[j], primitive[j]};
@@ -74,26 +77,28 @@ FUNCTION bool block_any_hit(Scene scene, const global Group *group, uint kind, u
 FUNCTION void block_closest_hits(Scene scene, const global Group *group, uint kind, uint block, PacketRays *packet, PacketHits *hits) {
     ray_x16 *ray = &packet->rays;
     bool nearer = false;
-#define CROSS_EACH(KIND, Record, name)                                                                                                \
-    if (kind == KIND) {                                                                                                               \
-        const global Record##Block *b = RECORDS(scene, Record##Block, group->blocks[KIND]) + block;                                   \
-        box_x8 box;                                                                                                                   \
-        name##_box(b, 0u, &box);                                                                                                      \
-        for (uint bits = candidates(packet, b->primitive, box); bits != 0u; bits &= bits - 1u) {                                      \
-            const uint j = lowest_bit(bits);                                                                                          \
-            const crossing_x16 crossing = name##_crossing(b, j, *ray);                                                                \
-            if (mask_bits(crossing.hit) == 0u) continue;                                                                              \
-            const uint16 primitive = (uint16)(b->primitive[j]);                                                                       \
-            const int16 better = crossing.hit & ((crossing.t < hits->t) | ((crossing.t == hits->t) & (primitive < hits->primitive))); \
-            const float16 other = better ? (hits->primitive == (uint16)(NO_HIT) ? (float16)(INFINITY) : hits->t) : crossing.t;        \
-            hits->next = crossing.hit ? minimum(hits->next, other) : hits->next;                                                      \
-            hits->t = better ? crossing.t : hits->t;                                                                                  \
-            hits->u = better ? crossing.u : hits->u;                                                                                  \
-            hits->v = better ? crossing.v : hits->v;                                                                                  \
-            hits->primitive = better ? primitive : hits->primitive;                                                                   \
-            ray->t_max = better ? crossing.t + hits->margin : ray->t_max;                                                             \
-            nearer = true;                                                                                                            \
-        }                                                                                                                             \
+#define CROSS_EACH(KIND, Record, name)                                                                                \
+    if (kind == KIND) {                                                                                               \
+        const global Record##Block *b = RECORDS(scene, Record##Block, group->blocks[KIND]) + block;                   \
+        box_x8 box;                                                                                                   \
+        name##_box(b, 0u, &box);                                                                                      \
+        for (uint bits = candidates(packet, b->primitive, box); bits != 0u; bits &= bits - 1u) {                      \
+            const uint j = lowest_bit(bits);                                                                          \
+            const crossing_x16 crossing = name##_crossing(b, j, *ray);                                                \
+            if (mask_bits(crossing.hit) == 0u) continue;                                                              \
+            const uint16 primitive = (uint16)(b->primitive[j]);                                                       \
+            const float16 t = INSTANCES ? maximum(crossing.t, hits->entry) : crossing.t;                              \
+            const int16 better = crossing.hit & is_before(t, primitive, hits);                                        \
+            const float16 other = better ? (hits->primitive == (uint16)(NO_HIT) ? (float16)(INFINITY) : hits->t) : t; \
+            hits->next = crossing.hit ? minimum(hits->next, other) : hits->next;                                      \
+            hits->t = better ? t : hits->t;                                                                           \
+            hits->u = better ? crossing.u : hits->u;                                                                  \
+            hits->v = better ? crossing.v : hits->v;                                                                  \
+            hits->primitive = better ? primitive : hits->primitive;                                                   \
+            if (INSTANCES) hits->instance = better ? (uint16)(hits->inside) : hits->instance;                         \
+            ray->t_max = better ? t + hits->margin : ray->t_max;                                                      \
+            nearer = true;                                                                                            \
+        }                                                                                                             \
     }
     FOR_EACH_PRIMITIVE(CROSS_EACH)
 #undef CROSS_EACH

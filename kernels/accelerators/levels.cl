@@ -1,32 +1,26 @@
-// The accelerator in use, as functions of the scene.
-// An accelerator's file is a template, so that it can be included again for groups of primitives with another set of LEAF_ macros.
+// What rays meet in the scene, by the accelerator in use. An accelerator's file is a template, included once per level of the scene.
 #pragma once
-#include "kernels/accelerators/leaf.cl"
+#include "generated/levels.cl"
 
-#define LEVEL(name) world_##name
-#define LEAF_CLOSEST_HIT block_closest_hit
-#define LEAF_ANY_HIT block_any_hit
-#define LEAF_CLOSEST_HITS block_closest_hits
-#define LEAF_ENDS_RAYS block_ends_rays
-#include "generated/accelerator.cl"
-#undef LEVEL
-#undef LEAF_CLOSEST_HIT
-#undef LEAF_ANY_HIT
-#undef LEAF_CLOSEST_HITS
-#undef LEAF_ENDS_RAYS
-
-FUNCTION Nearest scene_closest_hit(Scene scene, Ray ray) {
-    const global Group *world = &scene.header->world;
+/// `source_instance`: that of the primitive which the ray leaves.
+FUNCTION ray_x8 prepare_in_world(const global Group *world, Ray ray, uint source_instance) {
     ray_x8 lanes = prepare(ray, world->extent);
+    if (INSTANCES) lanes.source_instance = (int8)((int)source_instance);
+    return lanes;
+}
+
+FUNCTION Nearest scene_closest_hit(Scene scene, Ray ray, uint source_instance) {
+    const global Group *world = &scene.header->world;
+    ray_x8 lanes = prepare_in_world(world, ray, source_instance);
     Nearest nearest = nothing_hit(&lanes);
     world_closest_hit(scene, world, &lanes, &nearest);
     return nearest;
 }
 
 /// Adds all hits up to the ray's t_max to the list; without a list, tells whether there is any.
-FUNCTION bool scene_any_hit(Scene scene, Ray ray, HitList *list) {
+FUNCTION bool scene_any_hit(Scene scene, Ray ray, uint source_instance, HitList *list) {
     const global Group *world = &scene.header->world;
-    const ray_x8 lanes = prepare(ray, world->extent);
+    const ray_x8 lanes = prepare_in_world(world, ray, source_instance);
     return world_any_hit(scene, world, &lanes, list);
 }
 

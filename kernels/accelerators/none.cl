@@ -1,4 +1,4 @@
-// Template, included once per level: LEVEL(name) names its functions, the LEAF_ macros test one block.
+// Template, included once per level: LEVEL(name) names its functions, LEVEL_KINDS(X) lists its kinds, the LEAF_ macros test one block.
 // No acceleration structure: every block of primitives is tested. The reference for the others.
 
 #define FOR_EACH_BLOCK(KIND, Record, name) \
@@ -6,27 +6,27 @@
 
 static void LEVEL(closest_hit)(Scene scene, const global Group *group, ray_x8 *ray, Nearest *nearest) {
 #define TEST(kind, block) LEAF_CLOSEST_HIT(scene, group, kind, block, ray, nearest)
-    FOR_EACH_PRIMITIVE(FOR_EACH_BLOCK)
+    LEVEL_KINDS(FOR_EACH_BLOCK)
 #undef TEST
 }
 
 static bool LEVEL(any_hit)(Scene scene, const global Group *group, const ray_x8 *ray, HitList *list) {
 #define TEST(kind, block) \
     if (LEAF_ANY_HIT(scene, group, kind, block, ray, list)) return true
-    FOR_EACH_PRIMITIVE(FOR_EACH_BLOCK)
+    LEVEL_KINDS(FOR_EACH_BLOCK)
 #undef TEST
     return false;
 }
 
 static void LEVEL(closest_hits)(Scene scene, const global Group *group, PacketRays *packet, PacketHits *hits) {
 #define TEST(kind, block) LEAF_CLOSEST_HITS(scene, group, kind, block, packet, hits)
-    FOR_EACH_PRIMITIVE(FOR_EACH_BLOCK)
+    LEVEL_KINDS(FOR_EACH_BLOCK)
 #undef TEST
 }
 
 static void LEVEL(end_occluded)(Scene scene, const global Group *group, PacketRays *packet) {
 #define TEST(kind, block) LEAF_ENDS_RAYS(scene, group, kind, block, packet)
-    FOR_EACH_PRIMITIVE(FOR_EACH_BLOCK)
+    LEVEL_KINDS(FOR_EACH_BLOCK)
 #undef TEST
 }
 #undef FOR_EACH_BLOCK

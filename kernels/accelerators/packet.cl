@@ -1,5 +1,6 @@
 // Packets of 16 rays: made of a list of rays, and intervals around them that reject 8 boxes at once.
 #pragma once
+#include "generated/constants.h"
 #include "kernels/core/items.h"
 #include "kernels/core/rays.cl"
 #include "kernels/core/transpose.cl"
@@ -82,11 +83,20 @@ FUNCTION uint candidates(const PacketRays *packet, const global uint *words, box
 typedef struct {
     vec3x16 origin, direction;
     float16 t_max;
-    int16 tag, axis;  ///< axis of the largest component of the direction
+    int16 tag, axis;        ///< axis of the largest component of the direction
+    int16 source;           ///< number of the primitive that it leaves
+    int16 source_instance;  ///< and the instance which that is in; only in scenes with instances
 } Packet;
 
-/// Rays first .. first + 15 of a list; lanes beyond `last` repeat the last ray and have t_max -1.
-FUNCTION Packet packet_of(const global Ray *rays, const global uint *live, uint first, uint last) {
+/// Axis of the largest component of each direction.
+FUNCTION int16 major_axes(vec3x16 d) {
+    const float16 x = fabs(d.x), y = fabs(d.y), z = fabs(d.z);
+    return ((x >= y) & (x >= z)) ? (int16)(0) : y >= z ? (int16)(1) : (int16)(2);
+}
+
+/// Rays first .. first + 15 of a list; lanes beyond `last` repeat the last ray and have t_max -1. The instance of what ray k leaves is
+/// source_instances[k - skipped], which only scenes with instances have.
+FUNCTION Packet packet_of(const global Ray *rays, const global uint *live, uint first, uint last, const global uint *source_instances, uint skipped) {
     float16 starts[4], ends[4], start[4], end[4];
     for (uint r = 0u; r < 4u; ++r) {
 #define HALF(quarter, half) vload4(half, (const global float *)(rays + live[min(first + 4u * quarter + r, last - 1u)]))
@@ -101,15 +111,21 @@ FUNCTION Packet packet_of(const global Ray *rays, const global uint *live, uint 
     const int16 lane = (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
     packet.t_max = lane < (int16)((int)(last - first)) ? start[3] : (float16)(-1.0f);
     packet.tag = as_int16(end[3]);
-    const float16 x = fabs(end[0]), y = fabs(end[1]), z = fabs(end[2]);
-    packet.axis = ((x >= y) & (x >= z)) ? (int16)(0) : y >= z ? (int16)(1) : (int16)(2);
+    packet.axis = major_axes(packet.direction);
+    packet.source = (packet.tag >> 2 & 0x3fffffff) - 1;
+    if (INSTANCES) {
+        int sources[PACKET];
+        for (uint j = 0u; j < PACKET; ++j) sources[j] = (int)source_instances[live[min(first + j, last - 1u)] - skipped];
+        packet.source_instance = vload16(0, sources);
+    }
     return packet;
 }
 
 /// The packet's rays whose direction is largest along `axis`; the others have t_max -1. Their lanes are marked in `lanes`.
 FUNCTION PacketRays packet_rays(const Packet *packet, uint axis, float extent, int16 lanes) {
-    return packet_of_rays(
-        lane_ray(packet->origin, packet->direction, lanes ? packet->t_max : (float16)(-1.0f), axis, (packet->tag >> 2 & 0x3fffffff) - 1, extent));
+    ray_x16 rays = lane_ray(packet->origin, packet->direction, lanes ? packet->t_max : (float16)(-1.0f), axis, packet->source, extent);
+    if (INSTANCES) rays.source_instance = packet->source_instance;
+    return packet_of_rays(rays);
 }
 
 /// The lanes of the packet's rays whose direction is largest along `axis`.

@@ -7,6 +7,7 @@ typedef struct {
     real t_max;
     real inverse_square;                   ///< 1 / direction²
     mask source;                           ///< number of the primitive that it leaves
+    mask source_instance;                  ///< and the instance which that is in; only in scenes with instances, and in the world
     real pad;                              ///< by which boxes are grown: more than any rounding error of a crossing
     real3 inverse, shift_low, shift_high;  ///< plane of a box -> t: fma(plane, inverse, shift)
     real3 shear;                           ///< direction[kx] / direction[kz], direction[ky] / direction[kz], 1 / direction[kz]

@@ -47,7 +47,9 @@ typedef struct {
 
 typedef struct {
     Group world;
-    Span shading;                    ///< ShadingRecord per primitive, in scene order
+    Span groups;                     ///< Group per group that has instances
+    Span instances;                  ///< Instance, the world's being the first; none in scenes without them
+    Span shading;                    ///< ShadingRecord per primitive, in scene order; those of groups come last
     Span vertex_normals;             ///< VertexNormals of smooth triangles
     Span vertex_uvs, vertex_colors;  ///< VertexUvs, VertexColors of triangles that have some
     Span materials, lights;

@@ -1,5 +1,6 @@
 // Whitted's integrator (CACM 23(6) 1980): what happens at a hit. The loop over these kernels is runtime/integrators/whitted.cpp.
 #include "generated/constants.h"
+#include "generated/instances.cl"
 #include "generated/interior.cl"
 #include "generated/tints.cl"
 #include "kernels/bsdfs/bsdf.cl"
@@ -20,12 +21,13 @@ FUNCTION bool worth_tracing(Spectrum throughput, WhittedParams params, uint flag
 FUNCTION vec3 folded(vec3 v, vec3 normal) { return plus(v, scaled(normal, maximum(-2.0f * dot3(v, normal), 0.0f))); }
 
 /// Children of live item i: the mirrored ray in slot base + i, and where BRANCHING is 2 the refracted one in slot base + count + i, in the
-/// media `beyond`. A shading normal may lead a ray to the wrong side of the surface; then its mirror image at the surface leaves instead.
+/// media `beyond`; they leave a primitive in instance instances[i], where scenes have some. A shading normal may lead a ray to the wrong side of the
+/// surface; then its mirror image at the surface leaves instead.
 kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const global Path *restrict paths,
                           const global SurfacePoint *restrict points, const global SurfaceInterface *restrict interfaces,
-                          const global vec3 *restrict directions, const global uint *restrict interiors, const global uint *restrict beyond,
-                          uint base, global Ray *restrict children, global Path *restrict child_paths, global uint *restrict child_interiors,
-                          global uchar *restrict child_alive) {
+                          const global vec3 *restrict directions, const global uint *restrict instances, const global uint *restrict interiors,
+                          const global uint *restrict beyond, uint base, global Ray *restrict children, global Path *restrict child_paths,
+                          global uint *restrict child_sources, global uint *restrict child_interiors, global uchar *restrict child_alive) {
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     const global uint *list = live + first;
@@ -56,6 +58,7 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
         const vec3 mirrored = unit(folded(minus(scaled(normal, 2.0f * projection), wo), geometric));
         const bool reflects = ((material->flags & MATERIAL_REFLECTS) != 0u) | total;
         mirrored_rays[i] = ray_spawn(near, mirrored, RAY_REFLECTED, primitive);
+        store_instance(child_sources, base + i, instance_at(instances, i));
         Path child = path;
         child.throughput = reflected;
         child.depth = path.depth + 1u;
@@ -70,6 +73,7 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
             const float bend = interface.eta * cosine - sqrt(maximum(cosine_squared_beyond, 0.0f));
             const vec3 bent = unit(folded(minus(scaled(normal, bend), scaled(wo, interface.eta)), negate(geometric)));
             refracted_rays[i] = ray_spawn(far, bent, RAY_REFRACTED, primitive);
+            store_instance(child_sources, base + count + i, instance_at(instances, i));
             child.throughput = refracted;
             child.branch = hash(path.branch * 2u + 1u);
             refracted_paths[i] = child;

@@ -1,14 +1,15 @@
 // From hits to surface points.
+#include "generated/instances.cl"
 #include "generated/interior.cl"
 #include "kernels/core/load.cl"
 #include "kernels/core/spawn.cl"
 #include "kernels/primitives/primitive.cl"
 
 /// Where ray live[first + i] met the scene; wo[i] is the unit vector back along it. After a miss there is no SURFACE_HIT, and only wo[i] means
-/// anything. etas[i] is the ratio of indices there, where scenes have transparent materials.
+/// anything. etas[i] is the ratio of indices there, where scenes have transparent materials; instances[i] that of the hit, where they have some.
 kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, const global Hit *restrict hits,
-                              const global float *restrict etas, global SurfacePoint *restrict points, global SurfaceInterface *restrict interfaces,
-                              global vec3 *restrict wo) {
+                              const global uint *restrict instances, const global float *restrict etas, global SurfacePoint *restrict points,
+                              global SurfaceInterface *restrict interfaces, global vec3 *restrict wo) {
     const Scene scene = SCENE;
     const global ShadingRecord *records = SCENE_ARRAY(scene, ShadingRecord, shading);
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
@@ -19,11 +20,13 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
         const Hit hit = load(hits + i);
         const bool on_surface = hit.primitive != NO_HIT;
         const global ShadingRecord *record = records + (on_surface ? hit.primitive : 0u);
-        const Surface surface = primitive_surface(scene, record, ray, hit);
+        const uint instance = instance_at(instances, i);
+        const Surface surface = surface_in_world(scene, instance, primitive_surface(scene, record, ray_in_group(scene, instance, ray), hit));
         const bool enters = dot3(surface.geometric, ray.direction) < 0.0f;
         const float side = enters ? 1.0f : -1.0f;
 
-        const global Material *material = materials + record->material;
+        const uint material_index = material_in_instance(scene, instance, record->material);
+        const global Material *material = materials + material_index;
         const bool transmits = (material->flags & MATERIAL_TRANSMITS) != 0u;
         const bool lit_beyond = transmits & !enters;
         const float lit_side = lit_beyond ? -side : side;
@@ -33,7 +36,7 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
         const uint lit = (material->flags & MATERIAL_LIT) != 0u ? SURFACE_LIT : 0u;
         SurfacePoint point;
         point.origin = spawn_origin(surface.p, offset);
-        point.material = on_surface ? record->material : 0u;
+        point.material = on_surface ? material_index : 0u;
         point.normal = scaled(surface.normal, lit_side);
         point.flags = on_surface ? SURFACE_HIT | beyond | lit | hit.primitive << 4 : 0u;
         points[i] = point;

@@ -1,4 +1,5 @@
 // Which interface between media a ray has met, where transparent bodies overlap or touch. Only in scenes with transparent materials.
+#include "generated/instances.cl"
 #include "generated/interior.cl"
 #include "kernels/accelerators/levels.cl"
 #include "kernels/core/spawn.cl"
@@ -10,12 +11,19 @@ typedef struct {
     bool enters;
 } Face;
 
-#define SURFACE_OF(hit) primitive_surface_serially(scene, SCENE_ARRAY(scene, ShadingRecord, shading) + (hit).primitive, ray, hit)
-
-FUNCTION const global Material *material_of(Scene scene, Hit hit) {
-    return SCENE_ARRAY(scene, Material, materials) + SCENE_ARRAY(scene, ShadingRecord, shading)[hit.primitive].material;
+FUNCTION Surface surface_of(Scene scene, Ray ray, PlacedHit placed) {
+    const global ShadingRecord *record = SCENE_ARRAY(scene, ShadingRecord, shading) + placed.hit.primitive;
+    const Ray inner = ray_in_group(scene, placed.instance, ray);
+    return surface_in_world(scene, placed.instance, primitive_surface_serially(scene, record, inner, placed.hit));
 }
-FUNCTION bool transmits(Scene scene, Hit hit) { return (material_of(scene, hit)->flags & MATERIAL_TRANSMITS) != 0u; }
+
+FUNCTION uint material_index_of(Scene scene, PlacedHit placed) {
+    return material_in_instance(scene, placed.instance, SCENE_ARRAY(scene, ShadingRecord, shading)[placed.hit.primitive].material);
+}
+FUNCTION const global Material *material_of(Scene scene, PlacedHit hit) {
+    return SCENE_ARRAY(scene, Material, materials) + material_index_of(scene, hit);
+}
+FUNCTION bool transmits(Scene scene, PlacedHit hit) { return (material_of(scene, hit)->flags & MATERIAL_TRANSMITS) != 0u; }
 
 /// Whether the point of the one lies on the other, within the errors of both.
 FUNCTION bool coincide(Surface a, Surface b) {
@@ -25,11 +33,11 @@ FUNCTION bool coincide(Surface a, Surface b) {
 
 /// Makes the list those hits that coincide with its first. What is opaque hides the others.
 FUNCTION void keep_coincident(Scene scene, Ray ray, HitList *list) {
-    const Surface first = SURFACE_OF(list->hits[0]);
+    const Surface first = surface_of(scene, ray, list->hits[0]);
     uint kept = 1u;
     for (uint k = 1u; k < list->count; ++k) {
-        const Hit hit = list->hits[k];
-        if (coincide(first, SURFACE_OF(hit))) list->hits[kept++] = hit;
+        const PlacedHit hit = list->hits[k];
+        if (coincide(first, surface_of(scene, ray, hit))) list->hits[kept++] = hit;
     }
     list->count = kept;
     for (uint k = 0u; k < kept; ++k) {
@@ -43,8 +51,8 @@ FUNCTION void keep_coincident(Scene scene, Ray ray, HitList *list) {
 FUNCTION uint faces_of(Scene scene, Ray ray, const HitList *list, Face *faces) {
     uint count = 0u;
     for (uint k = 0u; k < list->count; ++k) {
-        const Hit hit = list->hits[k];
-        const Face face = {SCENE_ARRAY(scene, ShadingRecord, shading)[hit.primitive].material, dot3(SURFACE_OF(hit).geometric, ray.direction) < 0.0f};
+        const PlacedHit hit = list->hits[k];
+        const Face face = {material_index_of(scene, hit), dot3(surface_of(scene, ray, hit).geometric, ray.direction) < 0.0f};
         bool known = false;
         for (uint f = 0u; f < count; ++f) known |= faces[f].material == face.material && faces[f].enters == face.enters;
         if (!known) faces[count++] = face;
@@ -53,14 +61,15 @@ FUNCTION uint faces_of(Scene scene, Ray ray, const HitList *list, Face *faces) {
 }
 
 /// The closest hit, and what coincides with it.
-FUNCTION HitList hits_at(Scene scene, Ray ray, Hit closest, bool crowded) {
-    HitList list;
-    list.hits[0] = closest, list.count = 1u;
-    if (!crowded) return list;
-    list.count = 0u;
+FUNCTION HitList hits_at(Scene scene, Ray ray, uint source_instance, PlacedHit closest, bool crowded) {
+    HitList list = empty_list();
+    if (!crowded) {
+        list.hits[0] = closest, list.count = 1u;
+        return list;
+    }
     const ray_x8 lanes = prepare(ray, scene.header->world.extent);
-    ray.t_max = closest.t + crowd_margin(&lanes);
-    scene_any_hit(scene, ray, &list);
+    ray.t_max = closest.hit.t + crowd_margin(&lanes);
+    scene_any_hit(scene, ray, source_instance, &list);
     keep_coincident(scene, ray, &list);
     return list;
 }
@@ -78,35 +87,37 @@ FUNCTION void cross_faces(const Face *faces, uint count, Interior *inside, Inter
 }
 
 /// Of coincident faces, the one whose medium counts most: the interface that there would be if the other body overlapped this one.
-FUNCTION Hit foremost(Scene scene, const HitList *list) {
-    Hit best = list->hits[0];
+FUNCTION PlacedHit foremost(Scene scene, const HitList *list) {
+    PlacedHit best = list->hits[0];
     for (uint k = 1u; k < list->count; ++k)
         if (material_of(scene, list->hits[k])->priority > material_of(scene, best)->priority) best = list->hits[k];
     return best;
 }
 
 /// An interface is one where the medium that counts changes; a ray passes all others straight on, so that hits[i], and rays[k] for its item k,
-/// become those at the interface, interiors[k] the media before it and beyond[i] those behind. etas[i] is the index of refraction before it
-/// over that behind; at an opaque surface, over the material's. Rays passed on are counted with refracted ones, one tally per work-item.
-kernel void find_interfaces(SCENE_PARAMS, LIVE_PARAMS, global Ray *restrict rays, global Hit *restrict hits, const global uchar *restrict crowded,
-                            global uint *restrict interiors, global uint *restrict beyond, global float *restrict etas,
-                            volatile global uint *restrict lost, global Tally *restrict tallies) {
+/// become those at the interface, with sources[k] and instances[i] as intersect has them, interiors[k] the media before it and beyond[i] those
+/// behind. etas[i] is the index of refraction before it over that behind; at an opaque surface, over the material's. Rays passed on are counted with
+/// refracted ones, one tally per work-item.
+kernel void find_interfaces(SCENE_PARAMS, LIVE_PARAMS, global Ray *restrict rays, global uint *restrict sources, global Hit *restrict hits,
+                            global uint *restrict instances, const global uchar *restrict crowded, global uint *restrict interiors,
+                            global uint *restrict beyond, global float *restrict etas, volatile global uint *restrict lost,
+                            global Tally *restrict tallies) {
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     Tally tally = {{0u}, {0u}};
     FOR_EACH_ITEM_SERIALLY(i, count) {
         const uint k = live[first + i];
         Ray ray = rays[k];
-        Nearest nearest;
-        nearest.hit = hits[i];
+        uint source_instance = instance_at(sources, k);
+        PlacedHit placed = {hits[i], instance_at(instances, i)};
         bool is_crowd = crowded[i] != 0;
         Interior inside = interior_load(interiors, k), behind = inside;
         float eta = 1.0f;
-        while (nearest.hit.primitive != NO_HIT) {
-            const HitList list = hits_at(scene, ray, nearest.hit, is_crowd);
-            nearest.hit = foremost(scene, &list);
-            if (!transmits(scene, nearest.hit)) {
-                eta = interior_medium(inside, materials).eta / material_of(scene, nearest.hit)->eta;
+        while (placed.hit.primitive != NO_HIT) {
+            const HitList list = hits_at(scene, ray, source_instance, placed, is_crowd);
+            placed = foremost(scene, &list);
+            if (!transmits(scene, placed)) {
+                eta = interior_medium(inside, materials).eta / material_of(scene, placed)->eta;
                 break;
             }
             Face faces[HIT_LIST_SIZE];
@@ -114,18 +125,21 @@ kernel void find_interfaces(SCENE_PARAMS, LIVE_PARAMS, global Ray *restrict rays
             const Medium here = interior_medium(inside, materials), there = interior_medium(behind, materials);
             eta = here.eta / there.eta;
             if (here.entry != there.entry) break;
-            const Surface surface = SURFACE_OF(nearest.hit);
+            const Surface surface = surface_of(scene, ray, placed);
             const vec3 onward = scaled(surface.geometric, dot3(surface.geometric, ray.direction) < 0.0f ? -1.0f : 1.0f);
             ray.origin = spawn_origin(surface.p, scaled(onward, dot3(absolute(onward), surface.error)));
-            ray.tag = RAY_TAG(RAY_KIND(ray.tag), nearest.hit.primitive);
+            ray.tag = RAY_TAG(RAY_KIND(ray.tag), placed.hit.primitive);
+            source_instance = placed.instance;
             inside = behind;
-            nearest = scene_closest_hit(scene, ray);
+            const Nearest nearest = scene_closest_hit(scene, ray, source_instance);
+            placed = closest_of(nearest);
             is_crowd = is_crowded(nearest);
             tally.rays[RAY_REFRACTED] += 1u;
-            tally.hits[RAY_REFRACTED] += nearest.hit.primitive != NO_HIT;
+            tally.hits[RAY_REFRACTED] += placed.hit.primitive != NO_HIT;
         }
         rays[k] = ray;
-        hits[i] = nearest.hit;
+        hits[i] = placed.hit;
+        store_instance(sources, k, source_instance), store_instance(instances, i, placed.instance);
         interior_store(interiors, k, inside);
         interior_store(beyond, i, behind);
         etas[i] = eta;

@@ -1,4 +1,5 @@
 // Closest hits of a list of rays in packets of 16 neighbours: for rays that stay together. Same bits as intersect.
+#include "generated/instances.cl"
 #include "kernels/accelerators/levels.cl"
 
 FUNCTION void store_hits(global Hit *hits, uint count, PacketHits closest) {
@@ -10,23 +11,31 @@ FUNCTION void store_hits(global Hit *hits, uint count, PacketHits closest) {
     for (uint j = 0u; j < count; ++j) vstore4(hit[j], j, (global float *)hits);
 }
 
+FUNCTION void store_instances(global uint *instances, uint count, PacketHits closest) {
+    uint instance[PACKET];
+    vstore16(closest.primitive == (uint16)(NO_HIT) ? (uint16)(0u) : closest.instance, 0, instance);
+    for (uint j = 0u; j < count; ++j) store_instance(instances, j, instance[j]);
+}
+
 FUNCTION void store_crowded(global uchar *crowded, uint count, PacketHits closest) {
     const uint bits = mask_bits((closest.primitive != (uint16)(NO_HIT)) & (closest.next <= closest.t + closest.margin));
     for (uint j = 0u; j < count; ++j) crowded[j] = bits >> j & 1u;
 }
 
 /// hits[i] is the closest hit of ray live[first + i]; a hit beyond t_max or none has primitive NO_HIT. One tally per work-item.
-/// crowded[i] is as intersect says.
-kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, global Hit *restrict hits, global uchar *restrict crowded,
+/// crowded, sources and instances are as intersect says.
+kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, const global uint *restrict sources,
+                              global Hit *restrict hits, global uint *restrict instances, global uchar *restrict crowded,
                               global Tally *restrict tallies) {
     const Scene scene = SCENE;
     Tally tally = {{0u}, {0u}};
     const uint end = min((uint)(get_global_id(0) + 1u) * ITEMS_PER_WORK_ITEM, count);
     for (uint begin = get_global_id(0) * ITEMS_PER_WORK_ITEM; begin < end; begin += PACKET) {
-        const Packet packet = packet_of(rays, live + first, begin, end);
+        const Packet packet = packet_of(rays, live + first, begin, end, sources, 0u);
         const PacketHits closest = scene_closest_hits(scene, &packet);
         const uint rays_here = min(PACKET, end - begin);
         store_hits(hits + begin, rays_here, closest);
+        if (INSTANCES) store_instances(instances + begin, rays_here, closest);
         if (INTERIOR_SIZE > 0u) store_crowded(crowded + begin, rays_here, closest);
         const int16 here = packet.t_max >= 0.0f, hit = closest.primitive != (uint16)(NO_HIT);
         for (uint kind = 0u; kind < RAY_KINDS; ++kind) {

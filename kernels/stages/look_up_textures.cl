@@ -1,4 +1,5 @@
 // From hits to the colours that pictures and vertices give them. Only in scenes with textures, vertex colours or a picture as background.
+#include "generated/instances.cl"
 #include "kernels/core/load.cl"
 #include "kernels/core/math.cl"
 #include "kernels/primitives/primitive.cl"
@@ -17,9 +18,10 @@ FUNCTION Spectrum color_of(Scene scene, const global ushort *texels, uint textur
     return texture == 0u ? make3(1.0f, 1.0f, 1.0f) : texture_color(texels, SCENE_ARRAY(scene, TextureRecord, textures)[texture - 1u], uv);
 }
 
-/// tints[i] belongs to ray live[first + i] and its hit.
+/// tints[i] belongs to ray live[first + i] and its hit, which is in instance instances[i] where scenes have some.
 kernel void look_up_textures(SCENE_PARAMS, const global ushort *restrict texels, LIVE_PARAMS, const global Ray *restrict rays,
-                             const global Hit *restrict hits, const global SurfacePoint *restrict points, global Tints *restrict tints) {
+                             const global Hit *restrict hits, const global uint *restrict instances, const global SurfacePoint *restrict points,
+                             global Tints *restrict tints) {
     const Scene scene = SCENE;
     FOR_EACH_ITEM_SERIALLY(i, count) {
         const Ray ray = rays[live[first + i]];
@@ -28,7 +30,8 @@ kernel void look_up_textures(SCENE_PARAMS, const global ushort *restrict texels,
         if (hit.primitive == NO_HIT) {
             result.diffuse = color_of(scene, texels, scene.header->background_texture, panorama_place(ray.direction, scene.header->background_turn));
         } else {
-            const Pattern pattern = primitive_pattern(scene, SCENE_ARRAY(scene, ShadingRecord, shading) + hit.primitive, ray, hit);
+            const Ray inner = ray_in_group(scene, instance_at(instances, i), ray);
+            const Pattern pattern = primitive_pattern(scene, SCENE_ARRAY(scene, ShadingRecord, shading) + hit.primitive, inner, hit);
             const global Material *material = SCENE_ARRAY(scene, Material, materials) + points[i].material;
             result.diffuse = times(pattern.color, color_of(scene, texels, material->diffuse_texture, pattern.uv));
             result.specular = color_of(scene, texels, material->specular_texture, pattern.uv);

@@ -1,16 +1,19 @@
 // Visibility along shadow rays, one ray after another: for rays that come from scattered places. Same answers as trace_shadow_rays.
+#include "generated/instances.cl"
 #include "kernels/accelerators/levels.cl"
 
 /// As trace_shadow_rays.
 kernel void trace_shadow_rays_singly(SCENE_PARAMS, const global uint *restrict live, const global uint *restrict counts, uint stride,
-                                     const global Ray *restrict rays, global uchar *restrict visible, global Tally *restrict tallies) {
+                                     const global Ray *restrict rays, const global uint *restrict instances, global uchar *restrict visible,
+                                     global Tally *restrict tallies) {
     const Scene scene = SCENE;
     const uint row = get_global_id(1);
     const global uint *list = live + row * stride;
     Tally tally = {{0u}, {0u}};
     FOR_EACH_ITEM_SERIALLY(i, counts[row]) {
-        const bool occluded = scene_any_hit(scene, rays[list[i]], 0);
-        visible[list[i]] = !occluded;
+        const uint k = list[i];
+        const bool occluded = scene_any_hit(scene, rays[k], instance_at(instances, k - row * stride), 0);
+        visible[k] = !occluded;
         tally.rays[RAY_SHADOW] += 1u;
         tally.hits[RAY_SHADOW] += occluded;
     }

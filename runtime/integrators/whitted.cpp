@@ -82,14 +82,16 @@ public:
         : scene_(job.on_device),
           filter_(job.filter),
           light_count_(job.compiled.header.lights.count),
+          instances_(job.compiled.instance_count > 0),
           branching_(branching(job.compiled)),
           params_{job.scene.integrator.max_depth, job.scene.integrator.threshold},
           generate_(job.device, "kernels/stages/generate_camera_rays.cl", "generate_camera_rays", scene_.lists()),
           evaluate_(job.device, "kernels/stages/evaluate_surfaces.cl", "evaluate_surfaces", scene_.lists()),
           shade_(job.device, whitted_cl, "shade_whitted", scene_.lists()),
           accumulate_(job.device, "kernels/stages/accumulate.cl", "accumulate", scene_.lists()),
-          levels_(job.device, job.batch, branching_, branching_ == 0 ? 1 : params_.max_depth, job.compiled.interior_size),
+          levels_(job.device, job.batch, branching_, branching_ == 0 ? 1 : params_.max_depth, job.compiled.interior_size, instances_),
           hits_(job.device, job.batch),
+          hit_instances_(job.device, instances_ ? job.batch : 0),
           points_(job.device, job.batch),
           interfaces_(job.device, job.batch),
           directions_(job.device, job.batch),
@@ -112,11 +114,14 @@ public:
     void render(const Batch &batch, Buffer<Sample> &samples) override {
         Level &first = levels_.start(batch.count());
         if (media_) start_interiors(first, batch);
+        if (instances_) first.sources.fill_zero();
         generate_(batch.count(), batch.camera, batch.params, filter_, batch.pixels, batch.count(), first.rays, first.paths, first.live, samples);
         while (const auto wave = levels_.next()) {
             trace(*wave);
-            evaluate_(wave->count, scene_, *wave, wave->level.rays, hits_, media_ ? media_->etas : no_floats_, points_, interfaces_, directions_);
-            if (pictures_) pictures_->look_up(wave->count, scene_, scene_.texels(), *wave, wave->level.rays, hits_, points_, pictures_->tints);
+            evaluate_(wave->count, scene_, *wave, wave->level.rays, hits_, hit_instances_, media_ ? media_->etas : no_floats_, points_, interfaces_,
+                      directions_);
+            if (pictures_)
+                pictures_->look_up(wave->count, scene_, scene_.texels(), *wave, wave->level.rays, hits_, hit_instances_, points_, pictures_->tints);
             if (wave->children) spawn(*wave);
             for (uint light = 0; light == 0 || light < light_count_; light += lights_per_block) shade(*wave, light, samples);
             if (wave->children) levels_.add_children(*wave, secondary_->compact.counts().read().at(0));
@@ -127,8 +132,8 @@ public:
     std::uint64_t refused() const override { return refused_.read().at(0); }
     std::uint64_t media_lost() const override { return media_ ? media_->lost.read().at(0) : 0; }
     std::size_t wave_bytes() const override {
-        return levels_.bytes_at_most() + hits_.bytes() + points_.bytes() + interfaces_.bytes() + directions_.bytes() + contributions_.bytes() +
-               counter_.bytes() + (media_ ? media_->bytes() : 0) + (pictures_ ? pictures_->tints.bytes() : 0) +
+        return levels_.bytes_at_most() + hits_.bytes() + hit_instances_.bytes() + points_.bytes() + interfaces_.bytes() + directions_.bytes() +
+               contributions_.bytes() + counter_.bytes() + (media_ ? media_->bytes() : 0) + (pictures_ ? pictures_->tints.bytes() : 0) +
                (secondary_ ? secondary_->bytes() : 0) + (shadows_ ? shadows_->bytes() : 0);
     }
     std::vector<Skipped> skipped() const override {
@@ -152,18 +157,20 @@ private:
     /// Rays from the eye and their first reflections stay together, the others go their own ways.
     void trace(const Wave &wave) {
         Kernel &intersect = intersect_packets_ && wave.generation <= 1 ? *intersect_packets_ : *intersect_;
-        intersect(wave.count, scene_, wave, wave.level.rays, hits_, media_ ? media_->crowded : no_bytes_, counter_.tallies());
+        intersect(wave.count, scene_, wave, wave.level.rays, wave.level.sources, hits_, hit_instances_, media_ ? media_->crowded : no_bytes_,
+                  counter_.tallies());
         counter_.add(intersect.work_items(wave.count));
         if (!media_) return;
-        media_->find(wave.count, scene_, wave, wave.level.rays, hits_, media_->crowded, wave.level.interiors, media_->beyond, media_->etas,
-                     media_->lost, counter_.tallies());
+        media_->find(wave.count, scene_, wave, wave.level.rays, wave.level.sources, hits_, hit_instances_, media_->crowded, wave.level.interiors,
+                     media_->beyond, media_->etas, media_->lost, counter_.tallies());
         counter_.add(media_->find.work_items(wave.count));
     }
 
     void spawn(const Wave &wave) {
         Level &below = *wave.children;
-        secondary_->spawn(wave.count, scene_, params_, wave, wave.level.paths, points_, interfaces_, directions_, wave.level.interiors,
-                          media_ ? media_->beyond : no_words_, wave.base, below.rays, below.paths, below.interiors, secondary_->alive);
+        secondary_->spawn(wave.count, scene_, params_, wave, wave.level.paths, points_, interfaces_, directions_, hit_instances_,
+                          wave.level.interiors, media_ ? media_->beyond : no_words_, wave.base, below.rays, below.paths, below.sources,
+                          below.interiors, secondary_->alive);
         const uint slots = wave.count * branching_;
         secondary_->compact(secondary_->alive, slots, slots, 1, wave.base, below.end, below.live);
     }
@@ -185,18 +192,22 @@ private:
         shadows.compact(shadows.visible, shadows.stride, count, rows, 0, 0, shadows.live);
         // Shadow rays from the first reflections are scattered already: one by one they are faster.
         Kernel &trace = shadows.trace_packets && wave.generation == 0 ? *shadows.trace_packets : shadows.trace_singly;
-        trace(Grid(count, rows), scene_, shadows.live, shadows.compact.counts(), shadows.stride, shadows.rays, shadows.visible, counter_.tallies());
+        trace(Grid(count, rows), scene_, shadows.live, shadows.compact.counts(), shadows.stride, shadows.rays, hit_instances_, shadows.visible,
+              counter_.tallies());
         counter_.add(trace.work_items(count) * rows);
     }
 
     const DeviceScene &scene_;
     const Filter &filter_;
-    uint light_count_, branching_;
+    uint light_count_;
+    bool instances_;  ///< whether the scene has some
+    uint branching_;
     WhittedParams params_;
     Kernel generate_, evaluate_, shade_, accumulate_;
     std::optional<Kernel> intersect_packets_, intersect_;  ///< packets where one work-item has many rays
     Levels levels_;
     Buffer<Hit> hits_;
+    Buffer<uint> hit_instances_;  ///< of the hits, in scenes with instances
     Buffer<SurfacePoint> points_;
     Buffer<SurfaceInterface> interfaces_;
     Buffer<vec3> directions_;  ///< back along the rays

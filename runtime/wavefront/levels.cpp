@@ -10,7 +10,7 @@ constexpr uint worthwhile_launch = 16384;
 
 }  // namespace
 
-Levels::Levels(Device &device, uint batch, uint branching, uint generations, uint interior_size)
+Levels::Levels(Device &device, uint batch, uint branching, uint generations, uint interior_size, bool instances)
     : device_(device),
       batch_(batch),
       capacity_(std::max(batch, branching)),
@@ -18,10 +18,11 @@ Levels::Levels(Device &device, uint batch, uint branching, uint generations, uin
       generations_(generations),
       interior_size_(interior_size),
       full_launch_(std::min(batch, worthwhile_launch)),
-      level_bytes_(capacity_ * (sizeof(Ray) + sizeof(Path) + sizeof(uint) * (1 + interior_size))) {}
+      instances_(instances),
+      level_bytes_(capacity_ * (sizeof(Ray) + sizeof(Path) + sizeof(uint) * (1 + interior_size + (instances ? 1 : 0)))) {}
 
 Level &Levels::level(uint generation) {
-    while (levels_.size() <= generation) levels_.emplace_back(device_, capacity_, interior_size_);
+    while (levels_.size() <= generation) levels_.emplace_back(device_, capacity_, interior_size_, instances_);
     return levels_[generation];
 }
 

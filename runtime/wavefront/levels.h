@@ -10,15 +10,20 @@ namespace brandung {
 
 /// Slots of one generation, filled front to back, and the list of those that are live and not yet handed out.
 struct Level {
-    Level(Device &device, uint capacity, uint interior_size)
-        : rays(device, capacity), paths(device, capacity), interiors(device, std::size_t{capacity} * interior_size), live(device, capacity) {}
+    Level(Device &device, uint capacity, uint interior_size, bool instances)
+        : rays(device, capacity),
+          sources(device, instances ? capacity : 0),
+          paths(device, capacity),
+          interiors(device, std::size_t{capacity} * interior_size),
+          live(device, capacity) {}
     Buffer<Ray> rays;
+    Buffer<uint> sources;  ///< instances of the primitives that the rays leave, in scenes with instances
     Buffer<Path> paths;
     Buffer<uint> interiors;  ///< interior_size entries per slot
     Buffer<uint> live;
     uint used = 0;            ///< slots taken
     uint first = 0, end = 0;  ///< of `live`: what is waiting
-    std::size_t bytes() const { return rays.bytes() + paths.bytes() + interiors.bytes() + live.bytes(); }
+    std::size_t bytes() const { return rays.bytes() + sources.bytes() + paths.bytes() + interiors.bytes() + live.bytes(); }
 };
 
 /// A part of a level to work on, and where its children go: to slots base + j * count + i of the next level, for child j of item i.
@@ -37,8 +42,8 @@ struct Wave {
 class Levels {
 public:
     /// Levels are allocated when first needed, at most `generations` of them, each of max(batch, branching) slots. Waves have at most `batch`
-    /// items.
-    Levels(Device &device, uint batch, uint branching, uint generations, uint interior_size);
+    /// items. `interior_size` and `instances` say which side arrays they have.
+    Levels(Device &device, uint batch, uint branching, uint generations, uint interior_size, bool instances);
 
     /// Forgets everything, and allocates the first level if there is none yet, as `next` does; the caller fills the first `count` slots of the result
     /// and its live list.
@@ -57,6 +62,7 @@ private:
 
     Device &device_;
     uint batch_, capacity_, branching_, generations_, interior_size_, full_launch_;
+    bool instances_;
     std::size_t level_bytes_;
     std::deque<Level> levels_;
 };

@@ -49,13 +49,17 @@ Sources specialize(const CompiledScene &scene) {
     sources["generated/bsdfs.cl"] = family(scene.bsdfs, bsdf_kinds(), "bsdfs", "FOR_EACH_BSDF");
     sources["generated/lights.cl"] = family(scene.lights, light_kinds(), "lights", "FOR_EACH_LIGHT");
     sources["generated/accelerator.cl"] = include("accelerators/" + scene.accelerator + ".cl");
+    sources["generated/levels.cl"] = include(scene.instance_count > 0 ? "accelerators/two_levels.cl" : "accelerators/one_level.cl");
+    sources["generated/instances.cl"] = include(scene.instance_count > 0 ? "primitives/instance.cl" : "primitives/no_instance.cl");
     sources["generated/sampler.cl"] = include("samplers/stratified.cl");
     sources["generated/filter.cl"] = include(fmt::format("filters/{}.cl", filter_kinds()[scene.filter].file));
     sources["generated/interior.cl"] = include(scene.transmits ? "core/interior.cl" : "core/no_interior.cl");
     sources["generated/tints.cl"] = include(scene.tints ? "core/tints.cl" : "core/no_tints.cl");
-    sources["generated/constants.h"] =
-        fmt::format("#pragma once\n#define BRANCHING {}u\n#define INTERIOR_SIZE {}u\n#define HIGHLIGHTS {}\n#define SHADING_NORMALS {}\n",
-                    branching(scene), scene.interior_size, scene.highlights ? 1 : 0, scene.shading_normals ? 1 : 0);
+    sources["generated/constants.h"] = fmt::format(
+        "#pragma once\n#define BRANCHING {}u\n#define INTERIOR_SIZE {}u\n#define HIGHLIGHTS {}\n#define SHADING_NORMALS {}\n"
+        "#define INSTANCES {}\n#define INSTANCE_KIND {}u\n",
+        branching(scene), scene.interior_size, scene.highlights ? 1 : 0, scene.shading_normals ? 1 : 0, scene.instance_count > 0 ? 1 : 0,
+        scene.primitives.size());
     return sources;
 }
 

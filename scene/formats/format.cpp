@@ -26,7 +26,7 @@ bool is_dark(const Scene &scene) {
 
 /// What makes a picture that shows nothing, and is rarely meant.
 void warn_of_nothing_to_see(Scene &scene) {
-    if (scene.shapes.empty())
+    if (scene.shapes.empty() && scene.instances.empty())
         ++scene.warnings["the scene has no objects"];
     else if (is_dark(scene))
         ++scene.warnings["the scene has neither lights nor ambient light nor emission: its objects are black"];

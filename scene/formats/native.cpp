@@ -2,21 +2,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "scene/bsdfs/bsdf.h"
 #include "scene/formats/format.h"
 #include "scene/lights/light.h"
 #include "scene/parameters.h"
+#include "scene/primitives/add.h"
 #include "scene/view.h"
 
 namespace brandung {
 namespace {
 
+template <class Thing> std::vector<std::string> names_of(const std::vector<Thing> &things) {
+    std::vector<std::string> names;
+    for (const Thing &thing : things) names.emplace_back(thing.name);
+    return names;
+}
+
 /// The kind that the value "type" names.
 template <class Kind> const Kind &kind_of(const Parameters &parameters, const std::vector<Kind> &kinds) {
-    std::vector<std::string> names;
-    for (const Kind &kind : kinds) names.emplace_back(kind.name);
-    return kinds[parameters.choice("type", names)];
+    return kinds[parameters.choice("type", names_of(kinds))];
 }
 
 /// The value "name", which no other of `things` may have.
@@ -43,14 +49,36 @@ void read_lights(const Parameters &root, Scene &scene) {
     }
 }
 
-void read_objects(const Parameters &root, Scene &scene) {
-    std::vector<std::string> materials;
-    for (const NamedMaterial &material : scene.materials) materials.push_back(material.name);
-    for (const Parameters &parameters : root.children("objects")) {
-        const ShapeReader &reader = kind_of(parameters, shape_readers());
+void read_instance(const Parameters &parameters, const std::vector<std::string> &materials, Scene &scene) {
+    if (scene.groups.empty()) parameters.fail("group", "the scene has no groups");
+    const uint group = parameters.choice("group", names_of(scene.groups));
+    const uint material = parameters.has("material") ? parameters.choice("material", materials) : NO_MATERIAL;
+    if (const auto fault = add_instance(scene, group, read_transform(parameters), material)) parameters.fail("transform", *fault);
+}
+
+/// The array "objects" of the scene, or of a group, where there are no instances.
+void read_objects(const Parameters &parent, bool with_instances, Scene &scene) {
+    const std::vector<std::string> materials = names_of(scene.materials);
+    std::vector<std::string> types = names_of(shape_readers());
+    if (with_instances) types.emplace_back("instance");
+    for (const Parameters &parameters : parent.children("objects")) {
+        const uint type = parameters.choice("type", types);
         if (materials.empty()) parameters.fail("material", "the scene has no materials");
-        reader.read(parameters, parameters.choice("material", materials), scene);
+        if (type == shape_readers().size())
+            read_instance(parameters, materials, scene);
+        else
+            shape_readers()[type].read(parameters, parameters.choice("material", materials), scene);
         parameters.expect_all_known();
+    }
+}
+
+/// Readers add objects to the scene, which has none of its own yet.
+void read_groups(const Parameters &root, Scene &scene) {
+    for (const Parameters &parameters : root.children("groups")) {
+        const std::string name = new_name(parameters, scene.groups);
+        read_objects(parameters, false, scene);
+        parameters.expect_all_known();
+        add_group(scene, name, std::exchange(scene.shapes, {}));
     }
 }
 
@@ -97,7 +125,8 @@ void read_cameras(const Parameters &root, Scene &scene) {
 /// Refuses unknown keys before a missing one is noticed, which is often the same one misspelt.
 void check_keys(const Parameters &root) {
     for (const char *key : {"$schema", "description"}) root.text(key, "");
-    for (const char *key : {"film", "integrator", "accelerator", "background", "ambient", "camera", "cameras", "materials", "lights", "objects"})
+    for (const char *key :
+         {"film", "integrator", "accelerator", "background", "ambient", "camera", "cameras", "materials", "lights", "groups", "objects"})
         root.has(key);
     root.expect_all_known();
 }
@@ -117,7 +146,8 @@ Scene read_native(const std::string &file, const std::vector<std::string> &assig
     scene.ambient = root.spectrum("ambient", scene.ambient);
     read_materials(root, scene);
     read_lights(root, scene);
-    read_objects(root, scene);
+    read_groups(root, scene);
+    read_objects(root, true, scene);
     read_cameras(root, scene);
     return scene;
 }

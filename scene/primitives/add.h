@@ -1,5 +1,7 @@
 /// Adding shapes to a scene, the same for every format: what has no surface becomes a counted warning.
 #pragma once
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "scene/scene.h"
@@ -10,6 +12,10 @@ namespace brandung {
 void add_sphere(Scene &scene, uint material, vec3 center, float radius);
 /// The lateral surface between two circles; both radii negative: only the inside is visible. One may be 0, but they have not both signs.
 void add_frustum(Scene &scene, uint material, vec3 base, float base_radius, vec3 apex, float apex_radius);
+/// Makes shapes a group, and gives its index.
+uint add_group(Scene &scene, std::string name, std::vector<std::unique_ptr<Shape>> shapes);
+/// Places a group; of `material`, unless that is NO_MATERIAL. Gives why that cannot be, if so.
+std::optional<std::string> add_instance(Scene &scene, uint group, const AffineMap &map, uint material = NO_MATERIAL);
 /// Indices are below the number of positions.
 void add_triangle_mesh(Scene &scene, uint material, MeshData mesh);
 /// Triangulates a polygon and appends it to a mesh; `normals` is empty, as in the mesh so far, or has a unit vector per vertex.

@@ -20,6 +20,7 @@
 #include "kernels/lights/light.h"
 #include "kernels/lights/point.h"
 #include "kernels/primitives/frustum.h"
+#include "kernels/primitives/instance.h"
 #include "kernels/primitives/smooth_triangle.h"
 #include "kernels/primitives/sphere.h"
 #include "kernels/primitives/surface.h"
@@ -82,8 +83,11 @@ const Layouts &host_layouts() {
         RECORD(Material, kind, flags, priority, eta, emission, diffuse_texture, specular_texture, words),
         RECORD(Light, kind, words),
         RECORD(Group, blocks, nodes, extent),
-        RECORD(SceneHeader, world, shading, vertex_normals, vertex_uvs, vertex_colors, materials, lights, textures, background, ambient,
-               background_texture, background_turn),
+        RECORD(SceneHeader, world, groups, instances, shading, vertex_normals, vertex_uvs, vertex_colors, materials, lights, textures, background,
+               ambient, background_texture, background_turn),
+        RECORD(Transform, x, y, z, origin),
+        RECORD(Instance, to_world, to_group, group, material, spare),
+        RECORD(InstanceBlock, primitive, low, high),
         RECORD(BvhNode, low, high, child, spare),
         RECORD(Whitted, ambient, diffuse, specular, reflection, transmission, exponent, fresnel),
         RECORD(Phong, diffuse, specular, exponent),
@@ -194,6 +198,7 @@ TEST(Layout, WhatTravelsHasItsPromisedSize) {
     EXPECT_EQ(sizeof(SurfacePoint), 32u);
     EXPECT_EQ(sizeof(ShadingRecord), 64u);
     EXPECT_EQ(sizeof(Material), 128u);
+    EXPECT_EQ(sizeof(Instance), 128u);
     EXPECT_EQ(sizeof(Light), 64u);
     EXPECT_EQ(sizeof(BvhNode), 256u);
     EXPECT_EQ(sizeof(vec3), 12u);

@@ -28,7 +28,7 @@ void PrintTo(const Case &c, std::ostream *out) {
 class Play {
 public:
     explicit Play(const Case &c)
-        : case_(c), capacity_(std::max(c.batch, c.branching)), levels_(test_device(), c.batch, c.branching, c.generations, 2), random_(1) {
+        : case_(c), capacity_(std::max(c.batch, c.branching)), levels_(test_device(), c.batch, c.branching, c.generations, 2, true), random_(1) {
         lists_.resize(c.generations), slots_.resize(c.generations, std::vector<std::uint64_t>(capacity_, 0));
     }
 
@@ -99,7 +99,7 @@ class LevelsBounds : public testing::TestWithParam<Case> {};
 TEST_P(LevelsBounds, NoLevelOverflowsAndEveryItemIsHandedOutOnce) {
     Play play(GetParam());
     play.run();
-    EXPECT_GE(play.bytes_at_most(), play.levels_used() * std::size_t{GetParam().batch} * (sizeof(Ray) + sizeof(Path) + 3 * sizeof(uint)));
+    EXPECT_GE(play.bytes_at_most(), play.levels_used() * std::size_t{GetParam().batch} * (sizeof(Ray) + sizeof(Path) + 4 * sizeof(uint)));
 }
 
 std::vector<Case> cases() {
@@ -142,7 +142,7 @@ TEST(Levels, LaunchesAreFullAsLongAsTheyCanBe) {
 
 TEST(Levels, TheyCanBeStartedAgain) {
     const Case c{.batch = 64, .branching = 2, .generations = 3, .survival = Survival::half, .start = 64};
-    Levels levels(test_device(), c.batch, c.branching, c.generations, 1);
+    Levels levels(test_device(), c.batch, c.branching, c.generations, 1, false);
     for (uint count : {64u, 1u, 33u}) {
         levels.start(count);
         uint handed_out = 0;

@@ -21,6 +21,12 @@ std::vector<uint> live_list(std::size_t count) {
     return live;
 }
 
+/// As many as there are rays.
+std::vector<uint> resized(std::vector<uint> numbers, std::size_t count) {
+    numbers.resize(count, numbers.empty() ? 0 : numbers.back());
+    return numbers;
+}
+
 Tally sum_of(const Buffer<Tally> &tallies) {
     Tally sum{};
     for (const Tally &tally : tallies.read())
@@ -43,10 +49,12 @@ std::vector<Hit> TracedScene::closest_hits(const std::string &stage, const std::
     const Buffer<Ray> ray_buffer(device, rays);
     const Buffer<uint> live(device, live_list(rays.size()));
     const Buffer<Hit> hits(device, rays.size());
+    const Buffer<uint> sources(device, resized(sources_, rays.size())), instances(device, rays.size());
     const Buffer<std::uint8_t> crowded(device, rays.size());
     const Buffer<Tally> tallies(device, kernel.work_items(rays.size()));
-    kernel(rays.size(), on_device_, live, unused, static_cast<uint>(rays.size()), ray_buffer, hits, crowded, tallies);
+    kernel(rays.size(), on_device_, live, unused, static_cast<uint>(rays.size()), ray_buffer, sources, hits, instances, crowded, tallies);
     tally_ = sum_of(tallies);
+    instances_ = instances.read();
     return hits.read();
 }
 
@@ -59,29 +67,35 @@ std::vector<std::uint8_t> TracedScene::visible(const std::string &stage, const s
     const Buffer<uint> live(device, all);
     const uint count = static_cast<uint>(rays.size());
     const Buffer<uint> counts(device, std::span(&count, 1));
+    const Buffer<uint> sources(device, resized(sources_, rays.size()));
     const Buffer<std::uint8_t> visible(device, std::vector<std::uint8_t>(rays.size(), 1));
     const Buffer<Tally> tallies(device, kernel.work_items(rays.size()));
-    kernel(rays.size(), on_device_, live, counts, count, ray_buffer, visible, tallies);
+    kernel(rays.size(), on_device_, live, counts, count, ray_buffer, sources, visible, tallies);
     tally_ = sum_of(tallies);
     return visible.read();
 }
 
-std::vector<Surface> TracedScene::surfaces(const std::vector<Ray> &rays, const std::vector<Hit> &hits) {
+std::vector<Surface> TracedScene::surfaces(const std::vector<Ray> &rays, const std::vector<Hit> &hits, const std::vector<uint> &instances) {
     Device &device = test_device();
     Sources sources = on_device_.lists();
     sources["surfaces.cl"] = R"(#include "kernels/primitives/primitive.cl"
-        kernel void surfaces(SCENE_PARAMS, uint count, const global Ray *rays, const global Hit *hits, global Surface *surfaces) {
+#include "generated/instances.cl"
+        kernel void surfaces(SCENE_PARAMS, uint count, const global Ray *rays, const global Hit *hits, const global uint *instances,
+                             global Surface *surfaces) {
             const Scene scene = SCENE;
             const uint i = get_global_id(0);
-            if (i < count && hits[i].primitive != NO_HIT)
-                surfaces[i] = primitive_surface(scene, SCENE_ARRAY(scene, ShadingRecord, shading) + hits[i].primitive, rays[i], hits[i]);
+            if (i >= count || hits[i].primitive == NO_HIT) return;
+            const global ShadingRecord *record = SCENE_ARRAY(scene, ShadingRecord, shading) + hits[i].primitive;
+            const Ray ray = ray_in_group(scene, instance_at(instances, i), rays[i]);
+            surfaces[i] = surface_in_world(scene, instance_at(instances, i), primitive_surface(scene, record, ray, hits[i]));
         })";
     Kernel kernel(device, "surfaces.cl", "surfaces", sources, 1);
     const Buffer<Ray> ray_buffer(device, rays);
     const Buffer<Hit> hit_buffer(device, hits);
+    const Buffer<uint> instance_buffer(device, resized(instances, rays.size()));
     Buffer<Surface> surfaces(device, rays.size());
     surfaces.fill_zero();
-    kernel(rays.size(), on_device_, static_cast<uint>(rays.size()), ray_buffer, hit_buffer, surfaces);
+    kernel(rays.size(), on_device_, static_cast<uint>(rays.size()), ray_buffer, hit_buffer, instance_buffer, surfaces);
     return surfaces.read();
 }
 

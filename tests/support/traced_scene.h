@@ -28,7 +28,12 @@ public:
     /// By one of shadow_stages: 1 where nothing is met before t_max.
     std::vector<std::uint8_t> visible(const std::string &stage, const std::vector<Ray> &rays);
     /// By primitives/primitive.cl; all zero where nothing was hit.
-    std::vector<Surface> surfaces(const std::vector<Ray> &rays, const std::vector<Hit> &hits);
+    std::vector<Surface> surfaces(const std::vector<Ray> &rays, const std::vector<Hit> &hits, const std::vector<uint> &instances = {});
+
+    /// In scenes with instances: that of the primitive which each ray leaves; where they are fewer than rays, the last is used for the rest.
+    void leave_instances(const std::vector<uint> &sources) { sources_ = sources; }
+    /// Those of the last closest hits, in scenes with instances.
+    const std::vector<uint> &instances() const { return instances_; }
 
     /// Sums of what the last call's work-items counted.
     const Tally &tally() const { return tally_; }
@@ -41,6 +46,7 @@ private:
     CompiledScene compiled_;
     DeviceScene on_device_;
     Tally tally_{};
+    std::vector<uint> sources_ = {0}, instances_;
 };
 
 }  // namespace brandung

@@ -46,7 +46,7 @@ template <class Record> std::vector<std::byte> bytes_of(const Record &record) {
 }
 
 TEST_F(Schema, NamesTheKindsThatTheReaderKnows) {
-    EXPECT_EQ(types_of("object"), names_of(shape_readers()));
+    EXPECT_EQ(types_of("shape"), names_of(shape_readers()));
     EXPECT_EQ(types_of("material"), names_of(bsdf_kinds()));
     EXPECT_EQ(types_of("light"), names_of(light_kinds()));
     std::vector<std::string> accelerators = names_of(accelerator_kinds());

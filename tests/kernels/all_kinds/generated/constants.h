@@ -4,3 +4,5 @@
 #define INTERIOR_SIZE 4u
 #define HIGHLIGHTS 1
 #define SHADING_NORMALS 1
+#define INSTANCES 1
+#define INSTANCE_KIND 4u

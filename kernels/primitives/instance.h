@@ -1,0 +1,24 @@
+/// Instances: groups of primitives that transforms place in the world.
+#pragma once
+#include "kernels/core/scene.h"
+
+/// p -> x p.x + y p.y + z p.z + origin.
+typedef struct {
+    vec3 x, y, z, origin;
+} Transform;
+
+#define NO_MATERIAL 0xffffffffu
+
+/// 128 bytes. Number 0 is the world itself: primitives in it are in no instance.
+typedef struct {
+    Transform to_world;  ///< from the group's space
+    Transform to_group;  ///< its inverse, rounded once
+    uint group;          ///< entry of SceneHeader.groups
+    uint material;       ///< that of all its primitives; NO_MATERIAL: they have their own
+    uint spare[6];
+} Instance;
+
+typedef struct {
+    uint primitive[BLOCK_SIZE];  ///< the instances' numbers
+    float low[3][BLOCK_SIZE], high[3][BLOCK_SIZE];
+} InstanceBlock;
