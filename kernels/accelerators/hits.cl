@@ -3,6 +3,7 @@
 // before the entry, which is due to rounding, is moved there, so that no box in the world can lose it.
 #pragma once
 #include "generated/constants.h"
+#include "generated/instances.cl"
 #include "kernels/accelerators/packet.cl"
 
 /// The closest hit so far, and what else was met: where transparent bodies touch, a ray meets faces of both at one place.
@@ -61,16 +62,7 @@ FUNCTION int16 is_before(float16 t, uint16 primitive, const PacketHits *hits) {
     return (t < hits->t) | ((t == hits->t) & ((inside < hits->instance) | ((inside == hits->instance) & first)));
 }
 
-/// A hit, and the instance that it is in.
-typedef struct {
-    Hit hit;
-    uint instance;
-} PlacedHit;
-
-FUNCTION PlacedHit closest_of(Nearest nearest) {
-    const PlacedHit placed = {nearest.hit, INSTANCES && nearest.hit.primitive != NO_HIT ? nearest.instance : 0u};
-    return placed;
-}
+FUNCTION PlacedHit closest_of(Nearest nearest) { return placed(nearest.hit, INSTANCES && nearest.hit.primitive != NO_HIT ? nearest.instance : 0u); }
 
 #define HIT_LIST_SIZE 8u
 /// The first few hits in the order of (t, instance, primitive).
@@ -83,18 +75,19 @@ typedef struct {
 
 FUNCTION HitList empty_list(void) {
     HitList list;
-    list.count = 0u, list.inside = 0u, list.entry = 0.0f;
+    list.count = 0u;
+    if (INSTANCES) list.inside = 0u, list.entry = 0.0f;
     return list;
 }
 
 FUNCTION bool is_before(PlacedHit a, PlacedHit b) {
     if (a.hit.t != b.hit.t) return a.hit.t < b.hit.t;
-    if (a.instance != b.instance) return a.instance < b.instance;
+    if (instance_of(a) != instance_of(b)) return instance_of(a) < instance_of(b);
     return a.hit.primitive < b.hit.primitive;
 }
 
 FUNCTION void hit_list_add(HitList *list, Hit hit) {
-    PlacedHit added = {hit, list->inside};
+    PlacedHit added = placed(hit, list->inside);
     for (uint k = 0u; k < list->count; ++k) {
         const PlacedHit other = list->hits[k];
         if (is_before(other, added)) continue;

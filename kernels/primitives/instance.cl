@@ -8,6 +8,14 @@
 #include "kernels/primitives/surface.h"
 #include "kernels/primitives/transform.cl"
 
+/// A hit, and the instance that it is in.
+typedef struct {
+    Hit hit;
+    uint instance;
+} PlacedHit;
+FUNCTION PlacedHit placed(Hit hit, uint instance) { return (PlacedHit){hit, instance}; }
+FUNCTION uint instance_of(PlacedHit hit) { return hit.instance; }
+
 /// Side arrays that only scenes with instances have: the instance of every hit, or of the primitive that every ray leaves.
 FUNCTION uint instance_at(const global uint *instances, uint i) { return instances[i]; }
 FUNCTION void store_instance(global uint *instances, uint i, uint instance) { instances[i] = instance; }

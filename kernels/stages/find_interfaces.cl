@@ -11,14 +11,14 @@ typedef struct {
     bool enters;
 } Face;
 
-FUNCTION Surface surface_of(Scene scene, Ray ray, PlacedHit placed) {
-    const global ShadingRecord *record = SCENE_ARRAY(scene, ShadingRecord, shading) + placed.hit.primitive;
-    const Ray inner = ray_in_group(scene, placed.instance, ray);
-    return surface_in_world(scene, placed.instance, primitive_surface_serially(scene, record, inner, placed.hit));
+FUNCTION Surface surface_of(Scene scene, Ray ray, PlacedHit hit) {
+    const global ShadingRecord *record = SCENE_ARRAY(scene, ShadingRecord, shading) + hit.hit.primitive;
+    const Ray inner = ray_in_group(scene, instance_of(hit), ray);
+    return surface_in_world(scene, instance_of(hit), primitive_surface_serially(scene, record, inner, hit.hit));
 }
 
-FUNCTION uint material_index_of(Scene scene, PlacedHit placed) {
-    return material_in_instance(scene, placed.instance, SCENE_ARRAY(scene, ShadingRecord, shading)[placed.hit.primitive].material);
+FUNCTION uint material_index_of(Scene scene, PlacedHit hit) {
+    return material_in_instance(scene, instance_of(hit), SCENE_ARRAY(scene, ShadingRecord, shading)[hit.hit.primitive].material);
 }
 FUNCTION const global Material *material_of(Scene scene, PlacedHit hit) {
     return SCENE_ARRAY(scene, Material, materials) + material_index_of(scene, hit);
@@ -109,15 +109,15 @@ kernel void find_interfaces(SCENE_PARAMS, LIVE_PARAMS, global Ray *restrict rays
         const uint k = live[first + i];
         Ray ray = rays[k];
         uint source_instance = instance_at(sources, k);
-        PlacedHit placed = {hits[i], instance_at(instances, i)};
+        PlacedHit met = placed(hits[i], instance_at(instances, i));
         bool is_crowd = crowded[i] != 0;
         Interior inside = interior_load(interiors, k), behind = inside;
         float eta = 1.0f;
-        while (placed.hit.primitive != NO_HIT) {
-            const HitList list = hits_at(scene, ray, source_instance, placed, is_crowd);
-            placed = foremost(scene, &list);
-            if (!transmits(scene, placed)) {
-                eta = interior_medium(inside, materials).eta / material_of(scene, placed)->eta;
+        while (met.hit.primitive != NO_HIT) {
+            const HitList list = hits_at(scene, ray, source_instance, met, is_crowd);
+            met = foremost(scene, &list);
+            if (!transmits(scene, met)) {
+                eta = interior_medium(inside, materials).eta / material_of(scene, met)->eta;
                 break;
             }
             Face faces[HIT_LIST_SIZE];
@@ -125,21 +125,21 @@ kernel void find_interfaces(SCENE_PARAMS, LIVE_PARAMS, global Ray *restrict rays
             const Medium here = interior_medium(inside, materials), there = interior_medium(behind, materials);
             eta = here.eta / there.eta;
             if (here.entry != there.entry) break;
-            const Surface surface = surface_of(scene, ray, placed);
+            const Surface surface = surface_of(scene, ray, met);
             const vec3 onward = scaled(surface.geometric, dot3(surface.geometric, ray.direction) < 0.0f ? -1.0f : 1.0f);
             ray.origin = spawn_origin(surface.p, scaled(onward, dot3(absolute(onward), surface.error)));
-            ray.tag = RAY_TAG(RAY_KIND(ray.tag), placed.hit.primitive);
-            source_instance = placed.instance;
+            ray.tag = RAY_TAG(RAY_KIND(ray.tag), met.hit.primitive);
+            source_instance = instance_of(met);
             inside = behind;
             const Nearest nearest = scene_closest_hit(scene, ray, source_instance);
-            placed = closest_of(nearest);
+            met = closest_of(nearest);
             is_crowd = is_crowded(nearest);
             tally.rays[RAY_REFRACTED] += 1u;
-            tally.hits[RAY_REFRACTED] += placed.hit.primitive != NO_HIT;
+            tally.hits[RAY_REFRACTED] += met.hit.primitive != NO_HIT;
         }
         rays[k] = ray;
-        hits[i] = placed.hit;
-        store_instance(sources, k, source_instance), store_instance(instances, i, placed.instance);
+        hits[i] = met.hit;
+        store_instance(sources, k, source_instance), store_instance(instances, i, instance_of(met));
         interior_store(interiors, k, inside);
         interior_store(beyond, i, behind);
         etas[i] = eta;

@@ -61,6 +61,8 @@ const SmallNumber small_numbers[] = {
     {"kernels/core/random.cl", "0x1p-24f", "the unit of 24 random bits"},
     {"kernels/core/refraction.cl", "0x1p-126f", "the least normal number instead of 0: the comment beside it"},
     {"kernels/core/spawn.cl", "0x1p-21f", "rounding of a shadow ray's two ends: ray_to_light's comment"},
+    {"kernels/primitives/instance.cl", "0x1p-21f", "rounding on the way to the world and back: surface_in_world's comment"},
+    {"kernels/primitives/instance.cl", "0x1p-22f", "rounding of the point in the world: the same"},
     {"kernels/primitives/frustum.cl", "0x1p-21f", "error of the point put back onto the surface: frustum_surface's comment"},
     {"kernels/primitives/frustum_hit.cl", "0x1p-20f", "rounding of the quadratic's constant term: the comment above it"},
     {"kernels/primitives/sphere.cl", "0x1p-22f", "rounding of the point: the comment above it"},

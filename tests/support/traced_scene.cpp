@@ -49,7 +49,8 @@ std::vector<Hit> TracedScene::closest_hits(const std::string &stage, const std::
     const Buffer<Ray> ray_buffer(device, rays);
     const Buffer<uint> live(device, live_list(rays.size()));
     const Buffer<Hit> hits(device, rays.size());
-    const Buffer<uint> sources(device, resized(sources_, rays.size())), instances(device, rays.size());
+    const Buffer<uint> sources(device, resized(sources_, rays.size()));
+    const Buffer<uint> instances(device, std::vector<uint>(rays.size(), 0));
     const Buffer<std::uint8_t> crowded(device, rays.size());
     const Buffer<Tally> tallies(device, kernel.work_items(rays.size()));
     kernel(rays.size(), on_device_, live, unused, static_cast<uint>(rays.size()), ray_buffer, sources, hits, instances, crowded, tallies);

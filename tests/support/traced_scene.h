@@ -32,7 +32,7 @@ public:
 
     /// In scenes with instances: that of the primitive which each ray leaves; where they are fewer than rays, the last is used for the rest.
     void leave_instances(const std::vector<uint> &sources) { sources_ = sources; }
-    /// Those of the last closest hits, in scenes with instances.
+    /// Those of the last closest hits; 0 in scenes without instances.
     const std::vector<uint> &instances() const { return instances_; }
 
     /// Sums of what the last call's work-items counted.

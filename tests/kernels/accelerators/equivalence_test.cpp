@@ -106,6 +106,31 @@ Scene edge_on() {
     return scene;
 }
 
+/// Groups of every kind, of sizes from 1e-3 to 1e3, brought to about 1 by instances: turned, stretched, mirrored; every fourth instance twice.
+Scene instances() {
+    Scene scene = empty_scene();
+    add_soup(scene, 0, {.of_each = 5, .size = 0.4f});
+    Random random(11);
+    for (const float size : {1e-3f, 1.0f, 1e3f}) {
+        Scene group = empty_scene();
+        for (uint i = 0; i < 10; ++i)
+            for (const std::string &kind : names_of_primitive_kinds()) maker_of(kind)(group, 0, random, size * random.in_cube(1), 0.5f * size);
+        add_group(scene, "", std::move(group.shapes));
+    }
+    for (uint i = 0; i < 48; ++i) {
+        const uint group = i % 3;
+        const float size = group == 0 ? 1e-3f : group == 1 ? 1.0f : 1e3f;
+        glm::dvec3 factors;
+        for (int axis = 0; axis < 3; ++axis) factors[axis] = std::exp2(random.uniform(-3, -1)) / size * (random.below(2) ? 1 : -1);
+        AffineMap map = scaling(factors);
+        if (i % 5 != 0)
+            map = then(rotation(random.uniform(-180, 180), random.direction()), then(map, rotation(random.uniform(0, 360), random.direction())));
+        map = then(map, translation(random.in_cube(1)));
+        for (uint copy = 0; copy < (i % 4 == 0 ? 2u : 1u); ++copy) EXPECT_FALSE(add_instance(scene, group, map));
+    }
+    return scene;
+}
+
 struct SceneKind {
     std::string name;
     std::function<Scene()> make;
@@ -123,6 +148,7 @@ std::vector<SceneKind> scene_kinds() {
         {"grid", grid, {}},
         {"edge_on", edge_on, {}},
         {"far_away", far_away, {8192, -8192, 8192}},
+        {"instances", instances, {}},
     };
     for (const std::string &name : names_of_primitive_kinds())
         kinds.push_back({"only_" + name, [name] { return soup_scene({.counts = {{name, 400}}, .size = 0.4f}); }, {}});
@@ -133,6 +159,7 @@ std::vector<Bounds> boxes_of(const Scene &scene) {
     std::vector<Bounds> boxes;
     for (const auto &shape : scene.shapes)
         for (std::size_t i = 0; i < shape->count(); ++i) boxes.push_back(shape->bounds(i));
+    for (const PlacedGroup &instance : scene.instances) boxes.push_back(instance.bounds);
     return boxes;
 }
 
@@ -186,33 +213,56 @@ std::vector<Ray> make_rays(const Scene &scene, vec3 centre) {
     return rays;
 }
 
+/// Rays, and the instances of what they leave.
+struct Query {
+    std::vector<Ray> rays;
+    std::vector<uint> sources = {0};
+};
+
+/// Hits, and the instances that they are in.
+struct Found {
+    std::vector<Hit> hits;
+    std::vector<uint> instances;
+};
+
+/// One ray after another.
+Found find(TracedScene &traced, const Query &query) {
+    traced.leave_instances(query.sources);
+    const std::vector<Hit> hits = traced.closest_hits(query.rays);
+    return {hits, traced.instances()};
+}
+
 bool same_bits(const Hit &a, const Hit &b) { return std::memcmp(&a, &b, sizeof(Hit)) == 0; }
 
 std::string text(const Hit &hit) { return "{t " + std::to_string(hit.t) + ", primitive " + std::to_string(int(hit.primitive)) + "}"; }
 
-void expect_same(const std::vector<Hit> &hits, const std::vector<Hit> &expected, const std::vector<Ray> &rays, const char *what) {
+void expect_same(const Found &found, const Found &expected, const std::vector<Ray> &rays, const std::string &what) {
     std::size_t different = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (same_bits(hits[i], expected[i])) continue;
+        if (same_bits(found.hits[i], expected.hits[i]) && found.instances[i] == expected.instances[i]) continue;
         if (++different <= 3)
-            ADD_FAILURE() << what << ": ray " << i << ": " << text(hits[i]) << " instead of " << text(expected[i]) << std::hexfloat << ", origin "
-                          << rays[i].origin.x << ' ' << rays[i].origin.y << ' ' << rays[i].origin.z << ", direction " << rays[i].direction.x << ' '
-                          << rays[i].direction.y << ' ' << rays[i].direction.z;
+            ADD_FAILURE() << what << ": ray " << i << ": " << text(found.hits[i]) << " in " << found.instances[i] << " instead of "
+                          << text(expected.hits[i]) << " in " << expected.instances[i] << std::hexfloat << ", origin " << rays[i].origin.x << ' '
+                          << rays[i].origin.y << ' ' << rays[i].origin.z << ", direction " << rays[i].direction.x << ' ' << rays[i].direction.y << ' '
+                          << rays[i].direction.z;
     }
     EXPECT_EQ(different, 0u) << what << ", of " << rays.size();
 }
 
-/// Rays that begin where others hit, exactly there or beyond the point's error bound.
-std::vector<Ray> continued(TracedScene &traced, const std::vector<Ray> &rays, const std::vector<Hit> &hits) {
+/// Rays that begin where others hit, exactly there or beyond the point's error bound; some say that they leave what was hit.
+Query continued(TracedScene &traced, const std::vector<Ray> &rays, const Found &found) {
     Random random(8);
-    const std::vector<Surface> surfaces = traced.surfaces(rays, hits);
-    std::vector<Ray> result;
+    const std::vector<Hit> &hits = found.hits;
+    const std::vector<Surface> surfaces = traced.surfaces(rays, hits, found.instances);
+    Query result{{}, {}};
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (hits[i].primitive == NO_HIT) continue;
         const Surface &surface = surfaces[i];
         const vec3 offset = surface.geometric * glm::dot(glm::abs(surface.geometric), surface.error);
         const vec3 shift = random.below(2) ? vec3(0) : offset * (random.below(2) ? 2.0f : -2.0f);
-        result.push_back(make_ray(surface.p + shift, random.direction(), infinity, RAY_REFLECTED));
+        result.rays.push_back(make_ray(surface.p + shift, random.direction(), infinity, RAY_REFLECTED));
+        if (random.below(2)) result.rays.back().tag = RAY_TAG(RAY_REFLECTED, hits[i].primitive);
+        result.sources.push_back(found.instances[i]);
     }
     return result;
 }
@@ -225,20 +275,25 @@ std::vector<Ray> cut_at_hit(const std::vector<Ray> &rays, const std::vector<Hit>
     return result;
 }
 
-void expect_equivalent(Scene &scene, const std::string &accelerator, const std::vector<Ray> &rays, const std::vector<Hit> &expected,
-                       const char *what) {
+std::size_t count_hits(const std::vector<Hit> &hits) {
+    return std::size_t(std::count_if(hits.begin(), hits.end(), [](const Hit &hit) { return hit.primitive != NO_HIT; }));
+}
+
+void expect_equivalent(Scene &scene, const std::string &accelerator, const Query &query, const Found &expected, const std::string &what) {
     TracedScene traced(scene, accelerator);
-    expect_same(traced.closest_hits(rays), expected, rays, (std::string(what) + ", single rays").c_str());
-    const std::size_t hits = std::size_t(std::count_if(expected.begin(), expected.end(), [](const Hit &hit) { return hit.primitive != NO_HIT; }));
+    const std::vector<Ray> &rays = query.rays;
+    expect_same(find(traced, query), expected, rays, what + ", single rays");
+    const std::size_t hits = count_hits(expected.hits);
     EXPECT_EQ(std::accumulate(traced.tally().hits, traced.tally().hits + RAY_KINDS, std::size_t{0}), hits);
-    expect_same(traced.closest_hits_of_packets(rays), expected, rays, (std::string(what) + ", packets").c_str());
+    const std::vector<Hit> of_packets = traced.closest_hits_of_packets(rays);
+    expect_same({of_packets, traced.instances()}, expected, rays, what + ", packets");
     EXPECT_EQ(std::accumulate(traced.tally().rays, traced.tally().rays + RAY_KINDS, std::size_t{0}), rays.size());
     EXPECT_EQ(std::accumulate(traced.tally().hits, traced.tally().hits + RAY_KINDS, std::size_t{0}), hits);
 
     for (const char *stage : shadow_stages) {
         const std::vector<std::uint8_t> visible = traced.visible(stage, rays);
         std::size_t different = 0;
-        for (std::size_t i = 0; i < rays.size(); ++i) different += (visible[i] != 0) != (expected[i].primitive == NO_HIT);
+        for (std::size_t i = 0; i < rays.size(); ++i) different += (visible[i] != 0) != (expected.hits[i].primitive == NO_HIT);
         EXPECT_EQ(different, 0u) << what << ", " << stage << ", of " << rays.size();
         EXPECT_EQ(traced.tally().hits[RAY_SHADOW], hits) << stage;
         EXPECT_EQ(traced.tally().rays[RAY_SHADOW], rays.size()) << stage;
@@ -260,19 +315,20 @@ std::string name_of(const testing::TestParamInfo<Equivalence::ParamType> &info) 
 TEST_P(Equivalence, FindsWhatNoneFinds) {
     const auto &[accelerator, kind] = GetParam();
     Scene scene = kind.make();
-    const std::vector<Ray> rays = make_rays(scene, kind.centre);
+    const Query query{make_rays(scene, kind.centre)};
     TracedScene none(scene, "none");
-    const std::vector<Hit> expected = none.closest_hits(rays);
-    EXPECT_GT(std::count_if(expected.begin(), expected.end(), [](const Hit &hit) { return hit.primitive != NO_HIT; }), 500);
-    expect_equivalent(scene, accelerator, rays, expected, "rays");
+    const Found expected = find(none, query);
+    EXPECT_GT(count_hits(expected.hits), 500u);
+    expect_equivalent(scene, accelerator, query, expected, "rays");
 
-    const std::vector<Ray> from_surfaces = continued(none, rays, expected);
-    expect_equivalent(scene, accelerator, from_surfaces, none.closest_hits(from_surfaces), "rays from surfaces");
+    const Query from_surfaces = continued(none, query.rays, expected);
+    expect_equivalent(scene, accelerator, from_surfaces, find(none, from_surfaces), "rays from surfaces");
 
-    const std::vector<Ray> cut = cut_at_hit(rays, expected);
-    const std::vector<Hit> hits = none.closest_hits(cut);
-    for (std::size_t i = 1; i < cut.size(); i += 2) ASSERT_TRUE(same_bits(hits[i], expected[i])) << "a ray meets what lies at its t_max";
-    expect_equivalent(scene, accelerator, cut, hits, "rays cut at their hit");
+    const Query cut{cut_at_hit(query.rays, expected.hits)};
+    const Found found = find(none, cut);
+    for (std::size_t i = 1; i < cut.rays.size(); i += 2)
+        ASSERT_TRUE(same_bits(found.hits[i], expected.hits[i])) << "a ray meets what lies at its t_max";
+    expect_equivalent(scene, accelerator, cut, found, "rays cut at their hit");
 }
 
 INSTANTIATE_TEST_SUITE_P(Accelerators, Equivalence, testing::Combine(testing::ValuesIn(accelerator_names()), testing::ValuesIn(scene_kinds())),

@@ -153,7 +153,8 @@ private:
     static Sources lists_of(const PrimitiveKind &kind) {
         const std::string name = kind.name, path = "#include \"kernels/primitives/" + name;
         return {
-            {"generated/constants.h", "#define INTERIOR_SIZE 0u\n"},
+            {"generated/constants.h", "#define INTERIOR_SIZE 0u\n#define INSTANCES 0\n"},
+            {"generated/instances.cl", "#include \"kernels/primitives/no_instance.cl\"\n"},
             {"generated/primitives.cl", "#pragma once\n" + path + ".h\"\n#define FOR_EACH_PRIMITIVE(X) X(0, " + kind.record + ", " + name + ")\n"},
             {"generated/primitive_hits.cl", path + "_hit.cl\"\n"},
             {"generated/primitive_surfaces.cl", "#pragma once\n" + path + ".cl\"\n"},
