@@ -131,6 +131,27 @@ Scene instances() {
     return scene;
 }
 
+/// Small triangles in layers, every other one sheared flat by its instance: the rounding of a ray that comes from afar is then some 100 times
+/// larger than the boxes are grown, so that hits lie before the boxes that they are in, and before other layers.
+Scene sheared_layers() {
+    Scene scene = empty_scene();
+    add_soup(scene, 0, {.of_each = 1, .size = 0.01f});
+    const float shear = 1e5f, size = 0.05f;
+    Scene group = empty_scene();
+    add_triangle(group, 0, {-size, -size, shear * size}, {size, -size, -shear * size}, {0, size, 0});
+    add_group(scene, "", std::move(group.shapes));
+    for (uint layer = 0; layer < 20; ++layer) {
+        const float z = 0.002f * float(layer);
+        const AffineMap map{{{1, 0, shear}, {0, 1, 0}, {0, 0, 1}}, {0, 0, z}};
+        if (layer % 2) {
+            add_triangle(scene, 0, {-size, -size, z}, {size, -size, z}, {0, size, z});
+        } else {
+            EXPECT_FALSE(add_instance(scene, 0, map));
+        }
+    }
+    return scene;
+}
+
 struct SceneKind {
     std::string name;
     std::function<Scene()> make;
@@ -149,6 +170,7 @@ std::vector<SceneKind> scene_kinds() {
         {"edge_on", edge_on, {}},
         {"far_away", far_away, {8192, -8192, 8192}},
         {"instances", instances, {}},
+        {"sheared_layers", sheared_layers, {3, 0, 0}},
     };
     for (const std::string &name : names_of_primitive_kinds())
         kinds.push_back({"only_" + name, [name] { return soup_scene({.counts = {{name, 400}}, .size = 0.4f}); }, {}});
