@@ -6,6 +6,7 @@
 #include <fstream>
 #include <regex>
 #include <set>
+#include <utility>
 
 #include "runtime/opencl/embedded_kernels.h"
 #include "runtime/wavefront/specialization.h"
@@ -102,6 +103,15 @@ TEST(Absence, LightsOfOtherKindsAreNotThere) {
 TEST(Absence, WithoutTransparentMaterialsThereAreNoListsOfMedia) {
     for (const Material &material : {matte(0.5f), mirror(0.5f)}) expect_absent(spheres_only(material), {"core/interior.cl", "for_each_entry"});
     expect_present(spheres_only(glass(1.5f)), "kernels/integrators/whitted.cl", "core/interior.cl");
+}
+
+TEST(Absence, WithoutInstancesThereIsOneLevel) {
+    expect_absent(everything(), {"primitives/instance.cl", "two_levels", "group_closest_hit", "instanceblock", "packet_in_group"});
+    Scene scene = everything();
+    add_group(scene, "group", std::exchange(scene.shapes, {}));
+    ASSERT_FALSE(add_instance(scene, 0, AffineMap()));
+    expect_present(scene, "kernels/stages/intersect.cl", "group_closest_hit");
+    expect_present(scene, "kernels/stages/evaluate_surfaces.cl", "primitives/instance.cl");
 }
 
 TEST(Absence, OtherAcceleratorsAreNotThere) {

@@ -36,8 +36,8 @@ std::string read_text(const fs::path &path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// All kinds of primitives and lights; the material decides which kernels are built.
-std::string scene_of(const std::string &material, const std::string &filter = "box") {
+/// All kinds of primitives and lights; the material decides which kernels are built. `more`: further objects.
+std::string scene_of(const std::string &material, const std::string &filter = "box", const std::string &more = "") {
     return R"({"film": {"width": 32, "height": 32, "spp": 4, "filter": ")" + filter +
            R"("}, "camera": {"from": [0, 1, 6], "at": [0, 0, 0], "fov": 40}, "ambient": 0.1,
         "materials": [{"name": "m", "type": "whitted", "diffuse": 0.5, "specular": 0.4, "exponent": 20)" +
@@ -47,7 +47,8 @@ std::string scene_of(const std::string &material, const std::string &filter = "b
             {"type": "cylinder", "material": "m", "base": [-2, -1, 0], "apex": [-2, 1, 0], "radius": 0.5},
             {"type": "polygon", "material": "m", "vertices": [[-4, -1, 4], [4, -1, 4], [4, -1, -4], [-4, -1, -4]]},
             {"type": "triangle_mesh", "material": "m", "positions": [[1, -1, 0], [3, -1, 0], [2, 1, 0]], "normals": [[0, 0, 1], [0.1, 0, 1], [0, 0.1, 1]],
-             "indices": [0, 1, 2]}]})";
+             "indices": [0, 1, 2]})" +
+           more + R"(], "groups": [{"name": "g", "objects": [{"type": "sphere", "material": "m", "center": [0, 0, 0], "radius": 1}]}]})";
 }
 
 /// What the vectoriser says while the program renders: text without line ends, "kernels/<file>:<line>:<column>: <remark>" again and again.
@@ -107,7 +108,8 @@ void expect_no_failure(const Remarks &remarks) {
 }  // namespace
 
 TEST(Vectorised, EveryMarkedLoopIs16WideInASceneWithEverything) {
-    const Remarks remarks = parse(remarks_of(scene_of(R"(, "reflection": 0.3, "transmission": 0.5, "eta": 1.5, "fresnel": true)", "mitchell")));
+    const Remarks remarks = parse(remarks_of(scene_of(R"(, "reflection": 0.3, "transmission": 0.5, "eta": 1.5, "fresnel": true)", "mitchell",
+                                                      R"(, {"type": "instance", "group": "g", "transform": {"translate": [0, 2, 0]}})")));
     expect_no_failure(remarks);
     const std::set<std::string> loops = marked_loops();
     EXPECT_GE(loops.size(), 8u);

@@ -13,12 +13,16 @@ const std::string text = R"({
     "materials": [{"name": "grey", "type": "whitted"}, {"name": "air", "type": "whitted", "transmission": 1},
                   {"name": "glass", "type": "whitted", "transmission": 1}],
     "lights": [{"type": "point", "position": [0, 5, 0], "intensity": 10}],
+    "groups": [{"name": "a", "objects": [{"type": "sphere", "material": "grey", "center": [0, 0, 0], "radius": 1}]},
+               {"name": "b", "objects": [{"type": "sphere", "material": "grey", "center": [0, 0, 0], "radius": 2}]},
+               {"name": "idle", "objects": [{"type": "sphere", "material": "grey", "center": [0, 0, 0], "radius": 3}]}],
     "objects": [
         {"type": "sphere", "material": "glass", "center": [0, 0, 0], "radius": 1},
         {"type": "cylinder", "material": "grey", "base": [2, 0, 0], "apex": [2, 1, 0], "radius": 1},
         {"type": "triangle_mesh", "material": "grey", "indices": [0,1,2, 2,3,4, 4,5,6, 6,7,8, 8,9,10, 10,11,12, 12,13,14, 14,15,16, 16,17,0, 1,3,5],
          "positions": [[0,0,0],[1,0,0],[1,1,0],[2,0,1],[2,1,1],[3,0,2],[3,1,2],[4,0,3],[4,1,3],[5,0,4],[5,1,4],[6,0,5],[6,1,5],[7,0,6],[7,1,6],
-                       [8,0,7],[8,1,7],[9,0,8]]}
+                       [8,0,7],[8,1,7],[9,0,8]]},
+        {"type": "instance", "group": "a", "transform": {"translate": [0, 3, 0]}}, {"type": "instance", "group": "b"}
     ]
 })";
 
@@ -28,6 +32,8 @@ std::uint64_t hash(const std::vector<std::string> &assignments = {}) {
 }
 
 TEST(SceneHash, IsTheSameForEveryAccelerator) { EXPECT_EQ(hash({"accelerator=none"}), hash({"accelerator=wide_bvh"})); }
+
+TEST(SceneHash, IgnoresGroupsWithoutInstances) { EXPECT_EQ(hash({"groups.2.objects.0.radius=4"}), hash()); }
 
 TEST(SceneHash, IgnoresTheSettingsOfTheRender) { EXPECT_EQ(hash({"film.width=7", "film.exposure=3"}), hash()); }
 
@@ -39,7 +45,8 @@ INSTANTIATE_TEST_SUITE_P(SceneHash, SeenChange,
                          testing::Values("objects.0.radius=1.0000001", "objects.1.apex=[2,2,0]", "objects.2.positions.17=[9,0,9]",
                                          "objects.0.material=grey", "materials.0.diffuse=0.4", "materials.2.eta=1.6", "lights.0.intensity=11",
                                          "background=0.1", "ambient=0.1", "camera.from=[0,0,8]", "camera.fov=44", "camera.inside=[]",
-                                         "camera.inside=[\"glass\"]"));
+                                         "camera.inside=[\"glass\"]", "objects.3.transform.translate=[0,4,0]",
+                                         "objects.3.group=b", "objects.3.material=air", "groups.0.objects.0.radius=1.5"));
 
 }  // namespace
 }  // namespace brandung

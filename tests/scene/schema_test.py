@@ -12,7 +12,12 @@ SCENE = {
     "camera": {"from": [0, 0, 5], "at": [0, 0, 0]},
     "materials": [{"name": "grey", "type": "whitted"}],
     "lights": [{"type": "point", "position": [0, 5, 0], "intensity": 10}],
-    "objects": [{"type": "sphere", "material": "grey", "center": [0, 0, 0], "radius": 1}],
+    "groups": [{"name": "g", "objects": [{"type": "sphere", "material": "grey", "center": [0, 0, 0], "radius": 1}]}],
+    "objects": [
+        {"type": "sphere", "material": "grey", "center": [0, 0, 0], "radius": 1},
+        {"type": "instance", "group": "g", "material": "grey", "transform": [
+            {"scale": -2}, {"scale": [1, 2, -3]}, {"rotate": 30, "axis": [0, 1, 0]}, {"translate": [1, 2, 3]}, {"matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]}]},
+    ],
 }
 MISSING = object()
 BROKEN = {
@@ -48,6 +53,15 @@ BROKEN = {
         {"type": "triangle_mesh", "material": "grey", "positions": [[0, 0, 0]], "indices": [0, 0, 0], "uvs": [[1]]},
         {"type": "polygon", "material": "grey", "vertices": [[0, 0, 0], [1, 0, 0]]},
     ],
+    "/objects/1": [
+        {"type": "instance"}, {"type": "instance", "group": 3}, {"type": "instance", "group": "g", "material": 1},
+        {"type": "instance", "group": "g", "transform": 3}, {"type": "instance", "group": "g", "radius": 1},
+    ],
+    "/objects/1/transform": [
+        {}, [{}], {"scale": 0}, {"scale": [1, 0, 1]}, {"scale": 2, "translate": [0, 0, 1]}, {"rotate": 3}, {"scale": 2, "axis": [0, 0, 1]},
+        {"rotate": 3, "axis": [0, 0, 0]}, {"matrix": [1, 2, 3]}, {"translate": 3}, {"skew": 1},
+    ],
+    "/groups/0": [{}, {"name": "g"}, {"objects": []}, {"name": "", "objects": []}, {"name": "g", "objects": [{"type": "instance", "group": "g"}]}],
     "/sphere": [{}],
 }
 
