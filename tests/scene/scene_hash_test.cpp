@@ -45,8 +45,8 @@ INSTANTIATE_TEST_SUITE_P(SceneHash, SeenChange,
                          testing::Values("objects.0.radius=1.0000001", "objects.1.apex=[2,2,0]", "objects.2.positions.17=[9,0,9]",
                                          "objects.0.material=grey", "materials.0.diffuse=0.4", "materials.2.eta=1.6", "lights.0.intensity=11",
                                          "background=0.1", "ambient=0.1", "camera.from=[0,0,8]", "camera.fov=44", "camera.inside=[]",
-                                         "camera.inside=[\"glass\"]", "objects.3.transform.translate=[0,4,0]",
-                                         "objects.3.group=b", "objects.3.material=air", "groups.0.objects.0.radius=1.5"));
+                                         "camera.inside=[\"glass\"]", "objects.3.transform.translate=[0,4,0]", "objects.3.group=b",
+                                         "objects.3.material=air", "groups.0.objects.0.radius=1.5"));
 
 }  // namespace
 }  // namespace brandung

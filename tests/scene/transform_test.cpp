@@ -47,7 +47,8 @@ TEST(Transform, TheInverseIsThatOfTheRoundedMap) {
         const vec3 p = random.in_cube(1);
         const glm::dvec3 there = applied(pair->to_world, p), back = applied(pair->to_group, vec3(there));
         double size = 2;
-        for (const vec3 &column : {pair->to_group.x, pair->to_group.y, pair->to_group.z}) size += 3 * glm::length(glm::dvec3(column)) * glm::length(there);
+        for (const vec3 &column : {pair->to_group.x, pair->to_group.y, pair->to_group.z})
+            size += 3 * glm::length(glm::dvec3(column)) * glm::length(there);
         EXPECT_LE(glm::distance(back, glm::dvec3(p)), 0x1p-22 * size);
     }
 }
@@ -79,7 +80,8 @@ TEST(Transform, BoundsInTheWorldHoldAllCorners) {
         double slack = 0;
         glm::dvec3 low(INFINITY), high(-INFINITY);
         for (uint corner = 0; corner < 8; ++corner) {
-            const vec3 p(corner & 1 ? bounds.low.x : bounds.high.x, corner & 2 ? bounds.low.y : bounds.high.y, corner & 4 ? bounds.low.z : bounds.high.z);
+            const vec3 p(corner & 1 ? bounds.low.x : bounds.high.x, corner & 2 ? bounds.low.y : bounds.high.y,
+                         corner & 4 ? bounds.low.z : bounds.high.z);
             const glm::dvec3 there = applied(pair->to_world, p);
             low = glm::min(low, there), high = glm::max(high, there);
         }

@@ -98,7 +98,8 @@ TEST(Groups, ErrorsNameLineAndCause) {
     expect(instance, transform("3"), ":9: /objects/0/transform: must be an array, got 3");
     expect(instance, transform(R"([{"scale": 0}])"), ":9: /objects/0/transform/0/scale: must not be zero: nothing of the group would be left");
     expect(instance, transform(R"({"scale": [1, 0, 1]})"), ":9: /objects/0/transform/scale: must not be zero: nothing of the group would be left");
-    expect(instance, transform(R"([{"translate": [0, 0, 0]}, {"rotate": 9, "axis": [0, 0, 0]}])"), ":9: /objects/0/transform/1/axis: must not be zero");
+    expect(instance, transform(R"([{"translate": [0, 0, 0]}, {"rotate": 9, "axis": [0, 0, 0]}])"),
+           ":9: /objects/0/transform/1/axis: must not be zero");
     expect(instance, transform(R"({"rotate": 9})"), ":9: /objects/0/transform: \"axis\" is missing");
     expect(instance, transform(R"({"scale": 2, "rotate": 9})"),
            ":9: /objects/0/transform: a step of a transform is one of translate, scale, rotate, matrix");
