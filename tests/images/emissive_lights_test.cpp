@@ -182,7 +182,7 @@ class Wall : public testing::TestWithParam<float> {};
 
 TEST_P(Wall, OfConesAndCylindersGivesWhatTheOpeningLeaves) {
     const float top = GetParam();
-    Scene scene = scene_seen_at({0.2f, 1, 0.3f}, {0, 0, 0});
+    Scene scene = scene_seen_at({0.1f, 0.6f, 0.15f}, {0, 0, 0});
     add_floor(scene), add_frustum(scene, 1, {0, 0, 0}, 1, {0, 1.5f, 0}, top);
     const Real expected = 1 - Real(top) * top / (Real(top) * top + 2.25L);
     const Estimate once = estimate(scene);
@@ -204,8 +204,9 @@ TEST(EmissiveLights, FurnaceOfOneBounceHasNoNoise) {
     material.emission = Spectrum(2);
     add_sphere(scene, add_material(scene, material), {0, 0, 0}, 1);
     const Rendering rendering = render_scene(scene);
-    // Points as near as 1e-3, of which there are 1e-6 / 4, know their cosines to 1e-3.
-    for (const vec3 &pixel : rendering.picture) ASSERT_NEAR(pixel.x, 2.5f, 1e-3f);
+    // A point at distance d has cosine d / 2, of which rounding moves 3e-6 / d. Of 12288 points the nearest lies at about 0.01, where that is 5 % of
+    // one of a pixel's 16 samples.
+    for (const vec3 &pixel : rendering.picture) ASSERT_NEAR(pixel.x, 2.5f, 5e-3f);
     EXPECT_EQ(rendering.counts.hits[RAY_SHADOW], 0u);
 }
 
@@ -226,5 +227,6 @@ TEST(EmissiveLights, ShadowsHavePenumbras) {
     scene.integrator.light_samples = 2;
     const Estimate half = estimate(scene);
     expect_mean(half, square_factor(0, 0) / 2);
-    EXPECT_EQ(2 * half.shadow_hits, half.shadow_rays) << "two of the four strata lie behind the screen";
+    // Two of the four strata lie behind the screen; what pixels see is some thousandths wide.
+    EXPECT_NEAR(2.0L * half.shadow_hits, half.shadow_rays, 0.01L * half.shadow_rays);
 }
