@@ -16,7 +16,7 @@ using nlohmann::json;
 std::string picture(const TemporaryFolder &folder, const std::string &name, float grey, float one_pixel) {
     Picture picture{20, 16, std::vector<vec3>(20 * 16, vec3(grey)), {}};
     picture.pixels[20 * 3 + 7] = vec3(one_pixel);
-    write_picture(folder.path(name), picture, 0);
+    write_picture(folder.path(name), picture);
     return folder.path(name);
 }
 
@@ -132,7 +132,7 @@ TEST(CliCompare, DiffIsAPictureOfTheDifference) {
 TEST(CliCompare, WhatCannotBeComparedIsRefusedInOneLine) {
     const TemporaryFolder folder;
     const std::string a = picture(folder, "a.png", 1, 1), missing = folder.path("missing.png"), small = folder.path("small.png");
-    write_picture(small, Picture{2, 3, std::vector<vec3>(6, vec3(1)), {}}, 0);
+    write_picture(small, Picture{2, 3, std::vector<vec3>(6, vec3(1)), {}});
     const auto refusal = [](const Finished &run, int status) {
         EXPECT_EQ(run.status, status) << run.err;
         EXPECT_EQ(run.out, "");
