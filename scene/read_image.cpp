@@ -1,5 +1,6 @@
 /// Reading pictures.
 #include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,8 @@
 namespace brandung {
 namespace {
 
+constexpr std::uint64_t max_pixels = 1u << 28;  ///< 3 GiB as linear floats
+
 SceneError cannot_read(const std::string &file, std::string why) {
     std::replace(why.begin(), why.end(), '\n', ' ');
     return SceneError(file + ": cannot read the picture" + (why.empty() ? "" : ": " + why));
@@ -23,6 +26,7 @@ std::unique_ptr<OIIO::ImageInput> open(const std::string &file) {
     as_stored.attribute("oiio:UnassociatedAlpha", 1);
     auto input = OIIO::ImageInput::open(file, &as_stored);
     if (!input) throw cannot_read(file, OIIO::geterror());
+    if (input->format_name() == std::string("null")) throw cannot_read(file, "unknown format");  // one that invents a picture for the name
     if (input->spec().deep) throw cannot_read(file, "its pixels are lists of depths");
     if (input->spec().depth > 1) throw cannot_read(file, "it is a volume");
     return input;
@@ -52,6 +56,7 @@ Picture read_picture(const std::string &file, Encoding encoding) {
     const auto input = open(file);
     const OIIO::ImageSpec &spec = input->spec();
     const std::size_t channels = std::size_t(spec.nchannels), pixels = std::size_t(spec.width) * std::size_t(spec.height);
+    if (pixels > max_pixels) throw cannot_read(file, fmt::format("{} x {} pixels are more than {}", spec.width, spec.height, max_pixels));
     std::vector<float> values(channels * pixels);
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data())) throw cannot_read(file, input->geterror());
 

@@ -2,17 +2,54 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "scene/error.h"
 #include "scene/formats/limits.h"
 #include "scene/parameters.h"
+#include "scene/tone.h"
 
 namespace brandung {
 namespace {
 
 constexpr uint max_threads = 65536;  ///< more than any device has compute units
+
+/// Numbers with commas between them; nothing if the text is something else.
+std::vector<float> numbers_in(const std::string &text) {
+    std::vector<float> numbers;
+    const char *at = text.data(), *const end = at + text.size();
+    while (true) {
+        const auto [stop, error] = std::from_chars(at, end, numbers.emplace_back());
+        if (error != std::errc() || (stop != end && *stop != ',')) return {};
+        if (stop == end) return numbers;
+        at = stop + 1;
+    }
+}
+
+/// #RRGGBB, by the sRGB curve.
+nlohmann::json hexadecimal_color(const std::string &text) {
+    uint bits = 0;
+    const auto [stop, error] = std::from_chars(text.data() + 1, text.data() + text.size(), bits, 16);
+    if (text.size() != 7 || error != std::errc() || stop != text.data() + text.size())
+        throw CLI::ValidationError("--background", "expected #RRGGBB in hexadecimal digits, got '" + text + "'");
+    nlohmann::json color = nlohmann::json::array();
+    for (const uint shift : {16, 8, 0}) color.push_back(srgb_decoded(float(bits >> shift & 0xff) / 255));
+    return color;
+}
+
+/// The setting "background" as a colour or a picture on the command line.
+nlohmann::json background_value(const std::string &text) {
+    if (text.starts_with('#')) return hexadecimal_color(text);
+    const std::vector<float> numbers = numbers_in(text);
+    if (numbers.size() == 1) return numbers[0];
+    if (numbers.size() == 3) return numbers;
+    if (!numbers.empty()) throw CLI::ValidationError("--background", "expected one number or three, got '" + text + "'");
+    return {{"image", std::filesystem::absolute(text).string()}};
+}
 
 /// The options that stand for settings of the scene file, after those that are given as such.
 std::vector<std::string> assignments(const SceneOptions &options) {
@@ -36,22 +73,18 @@ std::vector<std::string> assignments(const SceneOptions &options) {
     if (!options.shadows.empty()) add("integrator.shadows", options.shadows);
     if (!options.integrator.empty()) add("integrator.type", options.integrator);
     if (!options.accelerator.empty()) add("accelerator", options.accelerator);
+    if (!options.background.empty())
+        add("background", background_value(options.background).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     return all;
 }
 
 /// Three numbers with commas between them; nothing of an empty text.
 std::optional<vec3> vector_option(const char *option, const std::string &text) {
     if (text.empty()) return {};
-    vec3 value;
-    const char *at = text.data(), *const end = at + text.size();
-    for (int i = 0; i < 3; ++i) {
-        const auto [stop, error] = std::from_chars(at, end, value[i]);
-        const bool ends_well = i < 2 ? stop != end && *stop == ',' : stop == end;
-        if (error != std::errc() || !ends_well || !(std::abs(double(value[i])) <= max_magnitude))
-            throw CLI::ValidationError(option, "expected three numbers as X,Y,Z, got '" + text + "'");
-        at = stop + 1;
-    }
-    return value;
+    const std::vector<float> numbers = numbers_in(text);
+    if (numbers.size() != 3 || std::any_of(numbers.begin(), numbers.end(), [](float x) { return !(std::abs(double(x)) <= max_magnitude); }))
+        throw CLI::ValidationError(option, "expected three numbers as X,Y,Z, got '" + text + "'");
+    return vec3(numbers[0], numbers[1], numbers[2]);
 }
 
 ViewChanges view_changes(const SceneOptions &options) {
@@ -94,6 +127,9 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
     command.add_option("--at", options.at, "a point in the middle of the picture, as X,Y,Z");
     command.add_option("--up", options.up, "what is up in the picture, as X,Y,Z: 0,0,1 for meshes that stand on the xy plane");
     command.add_option("--fov", options.fov, "vertical angle of view [degrees]")->check(CLI::Validator(angle_fault, "DEGREES"));
+    command.add_option("--background", options.background,
+                       "what rays see that leave the scene: a colour, as R,G,B or one number (linear) or #RRGGBB (sRGB), or a latitude-longitude "
+                       "picture, whose middle lies in -z and whose upper edge in y");
     command.add_option("--max-depth", options.max_depth, "rays in a chain, the eye ray being 1")->check(CLI::Range(1u, max_depth));
     command
         .add_option("--light-samples", options.light_samples,

@@ -15,5 +15,7 @@ void read_polygon(const Parameters &parameters, uint material, Scene &scene);
 
 /// One vector per vertex, scaled to unit length; empty if absent. Throws SceneError if they are not as many or have no length.
 std::vector<vec3> read_normals(const Parameters &parameters, const std::string &name, std::size_t vertices);
+/// "uvs": one pair per vertex; empty if absent. Throws SceneError if they are not as many.
+std::vector<vec2> read_uvs(const Parameters &parameters, std::size_t vertices);
 
 }  // namespace brandung

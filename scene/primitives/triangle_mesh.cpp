@@ -123,16 +123,21 @@ std::vector<vec3> read_normals(const Parameters &parameters, const std::string &
     return normals;
 }
 
+std::vector<vec2> read_uvs(const Parameters &parameters, std::size_t vertices) {
+    std::vector<vec2> uvs = parameters.pairs("uvs");
+    if (!uvs.empty() && uvs.size() != vertices)
+        parameters.fail("uvs", fmt::format("must be one pair per vertex, got {} for {} vertices", uvs.size(), vertices));
+    return uvs;
+}
+
 void read_triangle_mesh(const Parameters &parameters, uint material, Scene &scene) {
     MeshData mesh;
     mesh.positions = parameters.vectors("positions");
     mesh.normals = read_normals(parameters, "normals", mesh.positions.size());
-    mesh.uvs = parameters.pairs("uvs");
+    mesh.uvs = read_uvs(parameters, mesh.positions.size());
     mesh.colors = parameters.vectors("colors");
     mesh.indices = parameters.integers("indices");
     if (mesh.positions.empty()) parameters.fail("positions", "must have vertices");
-    if (!mesh.uvs.empty() && mesh.uvs.size() != mesh.positions.size())
-        parameters.fail("uvs", fmt::format("must be one pair per vertex, got {} for {} vertices", mesh.uvs.size(), mesh.positions.size()));
     if (!mesh.colors.empty() && mesh.colors.size() != mesh.positions.size())
         parameters.fail("colors", fmt::format("must be one per vertex, got {} for {} vertices", mesh.colors.size(), mesh.positions.size()));
     for (std::size_t i = 0; i < mesh.colors.size(); ++i)

@@ -53,6 +53,8 @@ Scene everything() {
     lamp.emission = Spectrum(1);
     add_soup(scene, add_material(scene, lamp), {.of_each = 1});
     scene.film.filter = kind_number(filter_kinds(), "gaussian");
+    scene.textures.push_back({"", {}, {1, 1, {Spectrum(1)}, {}}});
+    scene.background_texture = 1;
     return scene;
 }
 
@@ -173,6 +175,36 @@ TEST(Absence, OtherFiltersAreNotThere) {
     scene.film.filter = kind_number(filter_kinds(), "tent");
     expect_absent(scene, {"filters/box.cl", "filters/tabulated.cl"});
     expect_present(scene, "kernels/stages/generate_camera_rays.cl", "filters/tent.cl");
+}
+
+/// A triangle whose vertices have colours.
+Scene coloured() {
+    Scene scene = scene_with(matte(0.5f));
+    MeshData mesh;
+    mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, mesh.indices = {0, 1, 2}, mesh.colors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    add_triangle_mesh(scene, 0, std::move(mesh));
+    scene.ambient = Spectrum(1);
+    return scene;
+}
+
+TEST(Absence, WithoutPicturesAndColoursOfVerticesNothingIsLookedUp) {
+    Scene plain = coloured();
+    plain.shapes.clear();
+    add_triangle(plain, 0, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0});
+    expect_absent(plain, {"core/tints.cl"});
+    expect_present(coloured(), "kernels/integrators/whitted.cl", "core/tints.cl");
+    EXPECT_FALSE(launched_by(plain).contains("look_up_textures"));
+    EXPECT_TRUE(launched_by(coloured()).contains("look_up_textures"));
+}
+
+TEST(Absence, PicturesThatNothingShowsAreNotOnTheDevice) {
+    Scene scene = coloured();
+    scene.textures.push_back({"", {}, {2, 1, {Spectrum(1), Spectrum(0)}, {}}});
+    add_material(scene, matte(0.5f));
+    scene.materials[1].record.diffuse_texture = 1;  // but nothing is made of it
+    EXPECT_TRUE(compile(scene).texels.empty());
+    scene.materials[0].record.diffuse_texture = 1;
+    EXPECT_EQ(compile(scene).texels.size(), 6u);
 }
 
 TEST(Absence, WhatASceneDoesNotNeedIsNotAllocated) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/primitives/add.h"
 #include "tests/scene/formats/temporary_file.h"
 
 namespace brandung {
@@ -47,6 +48,31 @@ INSTANTIATE_TEST_SUITE_P(SceneHash, SeenChange,
                                          "background=0.1", "ambient=0.1", "camera.from=[0,0,8]", "camera.fov=44", "camera.inside=[]",
                                          "camera.inside=[\"glass\"]", "objects.3.transform.translate=[0,4,0]", "objects.3.group=b",
                                          "objects.3.material=air", "groups.0.objects.0.radius=1.5"));
+
+/// The hash of the scene with a mesh of one triangle that has a picture, after a change.
+template <class Change> std::uint64_t hash_with_picture(Change change) {
+    Scene scene = read_text(text);
+    scene.textures.push_back({"picture", {}, {2, 1, {Spectrum(1), Spectrum(0.5f)}, {}}});
+    scene.materials[0].record.diffuse_texture = 1;
+    MeshData mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, mesh.indices = {0, 1, 2};
+    mesh.uvs = {{0, 0}, {1, 0}, {0, 1}}, mesh.colors = {Spectrum(1), Spectrum(1), Spectrum(1)};
+    change(scene, mesh);
+    add_triangle_mesh(scene, 0, std::move(mesh));
+    return scene_hash(scene, compile(scene));
+}
+
+TEST(SceneHash, SeesPicturesAndWhatVerticesHave) {
+    const std::uint64_t before = hash_with_picture([](Scene &, MeshData &) {});
+    EXPECT_EQ(hash_with_picture([](Scene &scene, MeshData &) { scene.textures[0].file = "its copy"; }), before);
+    EXPECT_NE(hash_with_picture([](Scene &scene, MeshData &) { scene.textures[0].picture.pixels[1].y = 0.25f; }), before);
+    EXPECT_NE(hash_with_picture([](Scene &scene, MeshData &) { scene.textures[0].options.wrap = TextureWrap::clamp; }), before);
+    EXPECT_NE(hash_with_picture([](Scene &scene, MeshData &) { scene.materials[0].record.diffuse_texture = 0; }), before);
+    EXPECT_NE(hash_with_picture([](Scene &scene, MeshData &) { scene.background_texture = 1; }), before);
+    EXPECT_NE(hash_with_picture([](Scene &scene, MeshData &) { scene.background_turn = 0.25f; }), before);
+    EXPECT_NE(hash_with_picture([](Scene &, MeshData &mesh) { mesh.uvs[2].x = 0.5f; }), before);
+    EXPECT_NE(hash_with_picture([](Scene &, MeshData &mesh) { mesh.colors[1].z = 0.5f; }), before);
+}
 
 }  // namespace
 }  // namespace brandung

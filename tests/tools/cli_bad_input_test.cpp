@@ -499,3 +499,23 @@ TEST(BadDevice, KernelCacheThatCannotBeWrittenIsNamed) {
     options.environment["POCL_CACHE_DIR"] = "/proc";
     expect_render_fails(folder, scene, {}, 1, {"cannot be built", "PoCL cannot write its kernel cache /proc ("}, options);
 }
+
+TEST(CliBadInput, BackgroundsThatAreNeitherColourNorPicture) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.json", native_scene());
+    for (const char *background : {"1,2", "1,2,3,4", "#12345", "#1234567", "#12345g"})
+        expect_render_fails(folder, scene, {"--background", background}, 2, {"--background", background});
+    expect_render_fails(folder, scene, {"--background", "-1"}, 1, {"/background", "must not be negative"});
+    expect_render_fails(folder, scene, {"--background", folder.path("none.hdr")}, 1, {"/background/image", "none.hdr: no such file"});
+    expect_render_fails(folder, scene, {"--background", scene}, 1, {"/background/image", "cannot read the picture"});
+}
+
+TEST(CliBadInput, PicturesOfMaterials) {
+    const TemporaryFolder folder;
+    const std::string empty = folder.write("empty.png", "");
+    const std::string scene = folder.write("scene.json", R"({"camera": {"from": [0, 0, 4], "at": [0, 0, 0]},
+        "materials": [{"name": "a", "type": "whitted",
+            "diffuse": {"texture": "empty.png"}}]})");
+    expect_render_fails(folder, scene, {}, 1, {"scene.json:3: /materials/0/diffuse/texture: ", "empty.png: is empty"});
+    expect_render_fails(folder, scene, {"--set", "materials.0.diffuse.wrap=mirror"}, 1, {"/materials/0/diffuse/wrap", "one of repeat, clamp"});
+}

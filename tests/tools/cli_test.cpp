@@ -7,11 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "scene/image.h"
 #include "tests/tools/program.h"
 #include "tests/tools/scenes.h"
 
 namespace {
 
+using namespace brandung;
 using nlohmann::json;
 
 void expect_success(const Finished &run) {
@@ -38,10 +40,10 @@ TEST(Cli, HelpOfRenderNamesEveryOption) {
     const Finished run = run_program({"render", "--help"});
     expect_success(run);
     for (const char *option :
-         {"--output", "--integrator", "--accelerator", "--spp",      "--size",      "--seed",          "--pixel",   "--camera",
-          "--from",   "--at",         "--up",          "--fov",      "--max-depth", "--light-samples", "--shadows", "--set",
-          "--crop",   "--aov",        "--filter",      "--exposure", "--tone",      "--bits",          "--quality", "--save-every",
-          "--device", "--batch",      "--threads",     "--stats",    "--explain",   "--quiet",         "--preview", "--preview-hold"})
+         {"--output",  "--integrator", "--accelerator", "--spp",   "--size",      "--seed",          "--pixel",      "--camera", "--background",
+          "--from",    "--at",         "--up",          "--fov",   "--max-depth", "--light-samples", "--shadows",    "--set",    "--crop",
+          "--aov",     "--filter",     "--exposure",    "--tone",  "--bits",      "--quality",       "--save-every", "--device", "--batch",
+          "--threads", "--stats",      "--explain",     "--quiet", "--preview",   "--preview-hold"})
         EXPECT_NE(run.out.find(option), std::string::npos) << option;
 }
 
@@ -344,4 +346,25 @@ TEST(Cli, AMeshGetsACameraAndALight) {
     arguments[8] = "5,5,5";
     expect_success(run_program(arguments));
     EXPECT_NE(read_file(folder.path("a.ppm")), read_file(folder.path("b.ppm")));
+}
+
+/// Colour of the upper left pixel of `folder`'s small scene, where nothing but the background is seen.
+Spectrum corner_with_background(const TemporaryFolder &folder, const std::string &scene, const std::string &background) {
+    expect_success(run_program({"render", scene, "--quiet", "--background", background, "-o", folder.path("corner.exr")}));
+    return read_picture(folder.path("corner.exr")).pixels.at(0);
+}
+
+// 0x80 is 128 / 255 by the sRGB curve: ((128 / 255 + 0.055) / 1.055)^2.4 = 0.215861.
+TEST(Cli, BackgroundIsAColourOrAPictureForEveryFormat) {
+    const TemporaryFolder folder;
+    write_picture(folder.path("sky.exr"), {2, 1, {{0.25f, 0.5f, 2}, {0.25f, 0.5f, 2}}, {}}, 0);
+    for (const std::string &scene : {folder.write("scene.json", native_scene()), folder.write("scene.nff", nff_scene())}) {
+        EXPECT_EQ(corner_with_background(folder, scene, "0.5"), Spectrum(0.5f));
+        EXPECT_EQ(corner_with_background(folder, scene, "0.5,0.25,1"), Spectrum(0.5f, 0.25f, 1));
+        const Spectrum hexadecimal = corner_with_background(folder, scene, "#ff8000");
+        EXPECT_EQ(hexadecimal.x, 1);
+        EXPECT_NEAR(hexadecimal.y, 0.215861f, 1e-6f);
+        EXPECT_EQ(hexadecimal.z, 0);
+        EXPECT_EQ(corner_with_background(folder, scene, folder.path("sky.exr")), Spectrum(0.25f, 0.5f, 2));
+    }
 }

@@ -154,6 +154,41 @@ TEST(Math, PowerOfTheEndsIsThatOfC) {
         EXPECT_LE(ulps(z[i], std::pow(static_cast<long double>(x[i]), static_cast<long double>(y[i]))), 0.96) << x[i] << " to the " << y[i];
 }
 
+std::vector<float> arctangent(const std::vector<float> &y, const std::vector<float> &x) {
+    Probe probe(R"(#include "kernels/core/math.cl"
+        kernel void probe(const global float *y, const global float *x, global float *angle) {
+            const uint i = get_global_id(0);
+            angle[i] = arctangent(y[i], x[i]);
+        })");
+    return probe.run<float>(y, x);
+}
+
+TEST(Math, ArctangentIsWithinItsError) {
+    Random random;
+    std::vector<float> y, x;
+    for (std::size_t i = 0; i < pairs; ++i) {
+        const bool alike = i % 4 != 0;  // else of any size up to 2^126
+        y.push_back(alike ? random.uniform(-1, 1) : random.any_float()), x.push_back(alike ? random.uniform(-1, 1) : random.any_float());
+        for (float *part : {&y.back(), &x.back()})
+            if (!(std::abs(*part) <= 0x1p126f)) *part = 1;
+    }
+    const std::vector<float> angle = arctangent(y, x);
+    for (std::size_t i = 0; i < pairs; ++i)
+        ASSERT_LE(ulps(angle[i], std::atan2(static_cast<long double>(y[i]), static_cast<long double>(x[i]))), 1.9) << y[i] << ' ' << x[i];
+}
+
+TEST(Math, ArctangentOnAxesAndAtTheOriginIsThatOfC) {
+    std::vector<float> y, x;
+    for (const float a : {0.0f, -0.0f, 1.0f, -1.0f, least, -least, 0x1p126f})
+        for (const float b : {0.0f, -0.0f, 1.0f, -1.0f, least, -least, 0x1p126f}) y.push_back(a), x.push_back(b);
+    const std::vector<float> angle = arctangent(y, x);
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        const float expected = std::atan2(y[i], x[i]);
+        EXPECT_LE(ulps(angle[i], expected), 1) << y[i] << ' ' << x[i];
+        EXPECT_EQ(std::signbit(angle[i]), std::signbit(expected)) << y[i] << ' ' << x[i];
+    }
+}
+
 TEST(Math, NextUpAndNextDownAreTheNeighbours) {
     std::vector<float> x = floats_of_all_kinds();
     x.insert(x.end(), {0, -0.0f, least, -least, 0x1p-126f, 1, -1, greatest, -greatest, infinity, -infinity, not_a_number});

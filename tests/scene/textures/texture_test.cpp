@@ -1,8 +1,10 @@
 /// Pictures as textures: read once, cut to what surfaces and film can hold, left out where they cannot be read.
 #include "scene/textures/texture.h"
 
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <limits>
 
 #include "scene/error.h"
@@ -63,6 +65,52 @@ TEST(Texture, AFileThatIsNoPictureIsLeftOutWithAWarningOrRefused) {
         EXPECT_EQ(count, text.find("there_is_none") == std::string::npos ? 2u : 1u);
     }
     EXPECT_THROW(read_texture(scene, file.path), SceneError);
+}
+
+/// A PNG of 8 bits with so many channels.
+std::string png_file(const TemporaryFile &file, int width, int height, int channels, const std::vector<std::uint8_t> &bytes) {
+    OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    const auto output = OIIO::ImageOutput::create(file.path);
+    EXPECT_TRUE(output && output->open(file.path, spec) && output->write_image(OIIO::TypeDesc::UINT8, bytes.data()) && output->close());
+    return file.path;
+}
+
+std::vector<vec3> pixels_read(const std::string &file) {
+    Scene scene;
+    read_texture(scene, file);
+    return scene.textures[0].picture.pixels;
+}
+
+TEST(Texture, GreyIsThreeEqualPartsAndAlphaIsLeftOut) {
+    const TemporaryFile file("", ".png");
+    const std::vector<vec3> white_black = {Spectrum(1), Spectrum(0)}, red_green = {{1, 0, 0}, {0, 1, 0}};
+    EXPECT_EQ(pixels_read(png_file(file, 2, 1, 1, {255, 0})), white_black);
+    EXPECT_EQ(pixels_read(png_file(file, 2, 1, 2, {255, 128, 0, 128})), white_black);
+    EXPECT_EQ(pixels_read(png_file(file, 2, 1, 4, {255, 0, 0, 0, 0, 255, 0, 128})), red_green);
+}
+
+std::string why_not(const std::string &file) try {
+    Scene scene;
+    read_texture(scene, file);
+    return "";
+} catch (const SceneError &error) {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    return std::string(error.what()).substr(file.size());
+}
+
+TEST(Texture, SaysInOneLineWhyAFileIsNoPicture) {
+    const TemporaryFile empty("", ".png"), damaged("\x89PNG\r\n\x1a\n....", ".jpg"), invented("x", ".null");
+    EXPECT_EQ(why_not(empty.path), ": is empty");
+    for (const std::string &path : {damaged.path, invented.path}) EXPECT_TRUE(why_not(path).starts_with(": cannot read the picture")) << path;
+    const std::string png = png_file(empty, 64, 64, 3, std::vector<std::uint8_t>(64 * 64 * 3, 77));
+    std::filesystem::resize_file(png, std::filesystem::file_size(png) / 2);
+    EXPECT_NE(why_not(png), "");
+}
+
+TEST(Texture, HugePicturesAreRefusedBeforeTheyAreRead) {
+    const TemporaryFile file("P6 20000 20000 255\n", ".ppm");
+    EXPECT_EQ(why_not(file.path), ": cannot read the picture: 20000 x 20000 pixels are more than 268435456");  // 4e8 > 2^28
 }
 
 }  // namespace
