@@ -171,7 +171,7 @@ json *step_into(json &value, const std::string &step) {
 Document read_document(const std::string &file) { return parse_document(file, file_text(file)); }
 
 Document parse_document(std::string file, std::string text) {
-    Document document{std::move(file), std::move(text), {}, {}};
+    Document document{std::move(file), std::move(text), {}, {}, {}};
     document.root = Reader(document.file, document.text).read();
     return document;
 }

@@ -4,6 +4,8 @@
 #include <set>
 #include <string>
 
+#include "scene/input.h"
+
 namespace brandung {
 
 struct Document {
@@ -11,6 +13,7 @@ struct Document {
     std::string text;  ///< as read; an error finds its line here
     nlohmann::json root;
     std::set<std::string> assigned;  ///< JSON pointers ("/objects/3/radius") of what set_value has changed
+    ReadProgress progress = {};      ///< of files that it names
 };
 
 /// Throws SceneError `file:line: ...` on bad syntax, duplicate keys, nesting beyond 64 levels or a file that cannot be read.

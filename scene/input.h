@@ -1,8 +1,12 @@
 /// Files that are read.
 #pragma once
+#include <functional>
 #include <string>
 
 namespace brandung {
+
+/// Told now and then how far a file has been read; `part` is from 0 to 1.
+using ReadProgress = std::function<void(const std::string &file, double part)>;
 
 /// Throws SceneError if the file does not exist, is a folder, is empty or cannot be opened.
 void check_readable(const std::string &file);

@@ -52,6 +52,9 @@ public:
     /// The same, where one object stands for an array of it.
     std::vector<Parameters> one_or_more(const std::string &name) const;
 
+    /// Whom to tell how far a file has been read that the object names.
+    const ReadProgress &progress() const { return document_->progress; }
+
     void expect_all_known() const;
     /// `file:line: pointer`, of the named value or of the object itself if the name is empty or absent; for errors that are found later.
     std::string place(const std::string &name) const;

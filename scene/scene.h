@@ -75,6 +75,7 @@ struct Scene {
     IntegratorSettings integrator;
     std::string accelerator = "auto";
     std::map<std::string, uint> warnings;  ///< text -> how often
+    std::vector<std::string> notes;        ///< what was chosen where the file says nothing, a line each
 };
 
 }  // namespace brandung

@@ -1,5 +1,9 @@
 #include "scene/view.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 namespace brandung {
 
 std::optional<ViewFault> view_fault(const CameraDescription &camera) {
@@ -9,6 +13,25 @@ std::optional<ViewFault> view_fault(const CameraDescription &camera) {
     if (glm::length(glm::cross(view, up)) < 1e-6 * glm::length(view) * glm::length(up))
         return ViewFault{"up", "must not be parallel to the view from \"from\" to \"at\""};
     return std::nullopt;
+}
+
+void ViewChanges::apply(CameraDescription &camera) const {
+    camera.from = from.value_or(camera.from), camera.at = at.value_or(camera.at), camera.up = up.value_or(camera.up);
+    camera.fov = fov.value_or(camera.fov);
+}
+
+std::string view_options(const CameraDescription &camera) {
+    const auto numbers = [](vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
+    return fmt::format("--from {} --at {} --up {} --fov {:.4g}", numbers(camera.from), numbers(camera.at), numbers(camera.up),
+                       glm::degrees(camera.fov));
+}
+
+/// Rodrigues' formula.
+CameraDescription turned(const CameraDescription &camera, double angle) {
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(camera.up)), at(camera.at), way = glm::dvec3(camera.from) - at;
+    CameraDescription result = camera;
+    result.from = vec3(at + way * std::cos(angle) + glm::cross(axis, way) * std::sin(angle) + axis * glm::dot(axis, way) * (1 - std::cos(angle)));
+    return result;
 }
 
 }  // namespace brandung

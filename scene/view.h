@@ -1,4 +1,4 @@
-/// What a camera needs so that its view is defined.
+/// What a camera needs so that its view is defined, and how it can be changed.
 #pragma once
 #include <optional>
 #include <string>
@@ -15,5 +15,19 @@ struct ViewFault {
 
 /// Views have a direction, which leaves open no more than a millionth which way is up; nothing if this one does.
 std::optional<ViewFault> view_fault(const CameraDescription &camera);
+
+/// What of a camera is to be replaced.
+struct ViewChanges {
+    std::optional<vec3> from, at, up;
+    std::optional<float> fov;  ///< full vertical angle [radians]
+
+    void apply(CameraDescription &camera) const;
+};
+
+/// The options that give the view of a camera: "--from 1,2,3 --at 0,0,0 --up 0,1,0 --fov 45".
+std::string view_options(const CameraDescription &camera);
+
+/// The camera turned by an angle [radians] around the axis through `at` along `up`, counterclockwise as seen from above.
+CameraDescription turned(const CameraDescription &camera, double angle);
 
 }  // namespace brandung

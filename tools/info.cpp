@@ -25,6 +25,7 @@ nlohmann::json describe(const Options &options) {
             {"memory", memory(job)},
             {"kernels", job.device.kernels()},
             {"features", features(job)},
+            {"notes", scene.notes},
             {"warnings", job.compiled.warnings}};
 }
 

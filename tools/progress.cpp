@@ -44,6 +44,13 @@ void ProgressLine::show(const RenderProgress &progress) {
     std::fflush(stderr);
 }
 
+void ProgressLine::show_reading(const std::string &file, double part) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - start_ < std::chrono::seconds(1) || now - shown_ < std::chrono::milliseconds(100)) return;
+    shown_ = now;
+    say(fmt::format("reading {}: {:.0f} %", file, 100 * part));
+}
+
 void ProgressLine::clear() {
     if (!quiet_ && terminal_) fmt::print(stderr, "\r\033[K");
 }

@@ -10,9 +10,13 @@ namespace brandung {
 class ProgressLine {
 public:
     explicit ProgressLine(bool quiet);
+    ~ProgressLine() { clear(); }
+    ProgressLine(const ProgressLine &) = delete;
     /// What is being prepared; a terminal shows it until something else is shown.
     void say(const std::string &what);
     void show(const RenderProgress &progress);
+    /// How far a file has been read; nothing within the first second.
+    void show_reading(const std::string &file, double part);
     /// Clears the line, so that messages can follow.
     void clear();
 
@@ -20,6 +24,7 @@ private:
     bool quiet_, terminal_;
     RenderProgress first_{};  ///< after the first batch
     std::chrono::steady_clock::time_point shown_;
+    const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace brandung

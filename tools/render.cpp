@@ -90,6 +90,10 @@ void print_plan(const Job &job) {
                mebibytes(job.renderer.wave_bytes()));
 }
 
+void print_notes(const Scene &scene) {
+    for (const std::string &note : scene.notes) fmt::print(stderr, "{}\n", note);
+}
+
 std::string samples_taken(const RenderEnd &end) { return fmt::format("{} of {} samples", end.samples_done, end.samples_total); }
 
 std::map<std::string, std::string> metadata(const Job &job, const PhaseSeconds &seconds, const RenderEnd &end) {
@@ -130,10 +134,12 @@ int render(const Options &options) {
     const double start = seconds_now();
     check_distinct(options);
     double read_seconds = 0;
-    const Scene scene = timed(read_seconds, [&] { return read_scene(options); });
+    ProgressLine progress(options.quiet);
+    const auto on_read = [&](const std::string &file, double part) { progress.show_reading(file, part); };
+    const Scene scene = timed(read_seconds, [&] { return read_scene(options, on_read); });
+    progress.clear();
     check_outputs(options, scene.film);
 
-    ProgressLine progress(options.quiet);
     const auto on_progress = [&](const RenderProgress &done) {
         progress.show(done);
         return !interrupted;
@@ -145,6 +151,7 @@ int render(const Options &options) {
     print_threads_beyond(options, job.device.info());
     if (options.explain) print_result(explain(features(job)));
     handle_interruptions();
+    if (!options.quiet) print_notes(scene);
     if (!options.quiet) print_plan(job);
     progress.say("first batch: what the kernel cache does not have is compiled");
 

@@ -1,10 +1,12 @@
 #include "tools/scene_options.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
 
 #include "scene/error.h"
-#include "scene/formats/format.h"
 #include "scene/formats/limits.h"
+#include "scene/parameters.h"
 
 namespace brandung {
 namespace {
@@ -30,10 +32,38 @@ std::vector<std::string> assignments(const SceneOptions &options) {
     return all;
 }
 
+/// Three numbers with commas between them; nothing of an empty text.
+std::optional<vec3> vector_option(const char *option, const std::string &text) {
+    if (text.empty()) return {};
+    vec3 value;
+    const char *at = text.data(), *const end = at + text.size();
+    for (int i = 0; i < 3; ++i) {
+        const auto [stop, error] = std::from_chars(at, end, value[i]);
+        const bool ends_well = i < 2 ? stop != end && *stop == ',' : stop == end;
+        if (error != std::errc() || !ends_well || !(std::abs(double(value[i])) <= max_magnitude))
+            throw CLI::ValidationError(option, "expected three numbers as X,Y,Z, got '" + text + "'");
+        at = stop + 1;
+    }
+    return value;
+}
+
+ViewChanges view_changes(const SceneOptions &options) {
+    ViewChanges changes{vector_option("--from", options.from), vector_option("--at", options.at), vector_option("--up", options.up), {}};
+    if (options.fov) changes.fov = glm::radians(*options.fov);
+    return changes;
+}
+
+/// Angles of view between 0 and 180 degrees, both excluded.
+std::string angle_fault(const std::string &text) {
+    float degrees = 0;
+    const bool number = CLI::detail::lexical_cast(text, degrees);
+    return number && degrees > 0 && degrees < 180 ? "" : "must be above 0 and below 180 degrees, got '" + text + "'";
+}
+
 }  // namespace
 
 void add_scene_options(CLI::App &command, SceneOptions &options) {
-    command.add_option("scene", options.scene, "scene file: .json (native) or .nff")->required();
+    command.add_option("scene", options.scene, "scene file: .json (native), .nff, or a mesh: .obj, .ply")->required();
     command.add_option("--integrator", options.integrator, "how light gets to the eye (default: the scene's)");
     command.add_option("--accelerator", options.accelerator, "wide_bvh, none or auto (default: the scene's)");
     command.add_option("--spp", options.spp, "samples per pixel")->check(CLI::Range(1u, max_samples));
@@ -42,6 +72,10 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
     command.add_option("--pixel", options.pixel, "where a single sample lies: corner, center or random");
     command.add_option("--filter", options.filter, "how samples count in their pixel: box, tent, gaussian, mitchell or blackman_harris");
     command.add_option("--camera", options.camera, "name of the scene's camera to use (default: the first)");
+    command.add_option("--from", options.from, "position of the eye as X,Y,Z (default: the camera's; a mesh gets a camera that sees all of it)");
+    command.add_option("--at", options.at, "a point in the middle of the picture, as X,Y,Z");
+    command.add_option("--up", options.up, "what is up in the picture, as X,Y,Z: 0,0,1 for meshes that stand on the xy plane");
+    command.add_option("--fov", options.fov, "vertical angle of view [degrees]")->check(CLI::Validator(angle_fault, "DEGREES"));
     command.add_option("--max-depth", options.max_depth, "rays in a chain, the eye ray being 1")->check(CLI::Range(1u, max_depth));
     command
         .add_option("--set", options.settings,
@@ -54,7 +88,9 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
     command.add_option("--threads", options.threads, "compute units to use of a CPU (default: all, as 0)")->check(CLI::Range(0u, max_threads));
 }
 
-Scene read_scene(const SceneOptions &options) { return read_scene(options.scene, assignments(options)); }
+Scene read_scene(const SceneOptions &options, const ReadProgress &progress) {
+    return read_scene(options.scene, {assignments(options), view_changes(options), progress});
+}
 
 const CameraDescription &chosen_camera(const Scene &scene, const std::string &name) {
     for (const CameraDescription &camera : scene.cameras)

@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/formats/format.h"
 
 namespace brandung {
 
 struct SceneOptions {
     std::string scene, integrator, accelerator, size, pixel, filter, camera, device;
+    std::string from, at, up;           ///< "X,Y,Z", or empty for the camera's own
+    std::optional<float> fov;           ///< [degrees]
     std::vector<std::string> settings;  ///< "KEY=VALUE"
     std::optional<uint> spp, seed, max_depth;
     uint batch = 32768, threads = 0;
@@ -18,8 +20,8 @@ struct SceneOptions {
 
 /// `options` must live until the command has run.
 void add_scene_options(CLI::App &command, SceneOptions &options);
-/// The scene with its settings changed. Throws SceneError, and CLI::ValidationError for a size that is none.
-Scene read_scene(const SceneOptions &options);
+/// The scene with its settings and cameras changed. Throws SceneError, and CLI::ValidationError for a size that is none, or a vector.
+Scene read_scene(const SceneOptions &options, const ReadProgress &progress = {});
 /// The scene's camera of that name, its first if the name is empty. Throws SceneError if there is none.
 const CameraDescription &chosen_camera(const Scene &scene, const std::string &name);
 

@@ -10,8 +10,10 @@
 
 namespace brandung {
 
-Scene read_native(const std::string &file, const std::vector<std::string> &assignments);
-Scene read_nff(const std::string &file, const std::vector<std::string> &assignments);
+Scene read_native(const std::string &file, const ReadOptions &options);
+Scene read_nff(const std::string &file, const ReadOptions &options);
+Scene read_obj_scene(const std::string &file, const ReadOptions &options);
+Scene read_ply_scene(const std::string &file, const ReadOptions &options);
 
 namespace {
 
@@ -32,24 +34,35 @@ void warn_of_nothing_to_see(Scene &scene) {
         ++scene.warnings["the scene has neither lights nor ambient light nor emission: its objects are black"];
 }
 
+void change_view(const ViewChanges &changes, Scene &scene) {
+    for (CameraDescription &camera : scene.cameras) {
+        changes.apply(camera);
+        if (const auto fault = view_fault(camera))
+            throw SceneError(scene.file + ": camera \"" + camera.name + "\", as changed: \"" + fault->key + "\" " + fault->why);
+    }
+}
+
 }  // namespace
 
 const std::vector<SceneFormat> &scene_formats() {
     static const std::vector<SceneFormat> formats = {
         {".json", read_native},
         {".nff", read_nff},
+        {".obj", read_obj_scene},
+        {".ply", read_ply_scene},
     };
     return formats;
 }
 
-Scene read_scene(const std::string &file, const std::vector<std::string> &assignments) {
+Scene read_scene(const std::string &file, const ReadOptions &options) {
     check_readable(file);
     std::string extension = std::filesystem::path(file).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
     std::string known;
     for (const SceneFormat &format : scene_formats()) {
         if (extension == format.extension) {
-            Scene scene = format.read(file, assignments);
+            Scene scene = format.read(file, options);
+            change_view(options.view, scene);
             warn_of_nothing_to_see(scene);
             return scene;
         }

@@ -63,11 +63,13 @@ void read_objects(const Parameters &parent, bool with_instances, Scene &scene) {
     if (with_instances) types.emplace_back("instance");
     for (const Parameters &parameters : parent.children("objects")) {
         const uint type = parameters.choice("type", types);
-        if (materials.empty()) parameters.fail("material", "the scene has no materials");
-        if (type == shape_readers().size())
+        const bool is_instance = type == shape_readers().size();
+        const bool unnamed = (is_instance || shape_readers()[type].from_file) && !parameters.has("material");
+        if (materials.empty() && !unnamed) parameters.fail("material", "the scene has no materials");
+        if (is_instance)
             read_instance(parameters, materials, scene);
         else
-            shape_readers()[type].read(parameters, parameters.choice("material", materials), scene);
+            shape_readers()[type].read(parameters, unnamed ? material_of_file : parameters.choice("material", materials), scene);
         parameters.expect_all_known();
     }
 }
@@ -133,10 +135,11 @@ void check_keys(const Parameters &root) {
 
 }  // namespace
 
-Scene read_native(const std::string &file, const std::vector<std::string> &assignments) {
+Scene read_native(const std::string &file, const ReadOptions &options) {
     Document document = read_document(file);
+    document.progress = options.progress;
     Parameters(document, "");  // what is no object is refused as such, not as one without the members to set
-    for (const std::string &assignment : assignments) set_value(document, assignment);
+    for (const std::string &assignment : options.assignments) set_value(document, assignment);
     const Parameters root(document, "");
     check_keys(root);
 

@@ -214,21 +214,13 @@ void add_lights(Reading &reading) {
     }
 }
 
-void apply_settings(Scene &scene, const std::vector<std::string> &assignments) {
-    Document settings{.file = scene.file, .text = "", .root = nlohmann::json::object(), .assigned = {}};
-    for (const std::string &assignment : assignments) set_value(settings, assignment);
-    const Parameters root(settings, "");
-    read_settings(root, scene);
-    root.expect_all_known();
-}
-
 }  // namespace
 
-Scene read_nff(const std::string &file, const std::vector<std::string> &assignments) {
+Scene read_nff(const std::string &file, const ReadOptions &options) {
     Reading reading(file);
     read_entities(reading);
     add_lights(reading);
-    apply_settings(reading.scene, assignments);
+    assign_settings(options.assignments, reading.scene);
     return std::move(reading.scene);
 }
 

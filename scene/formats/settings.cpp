@@ -66,4 +66,12 @@ void read_settings(const Parameters &root, Scene &scene) {
     if (root.has("accelerator")) scene.accelerator = accelerators[root.choice("accelerator", accelerators)];
 }
 
+void assign_settings(const std::vector<std::string> &assignments, Scene &scene) {
+    Document settings{.file = scene.file, .text = "", .root = nlohmann::json::object(), .assigned = {}, .progress = {}};
+    for (const std::string &assignment : assignments) set_value(settings, assignment);
+    const Parameters root(settings, "");
+    read_settings(root, scene);
+    root.expect_all_known();
+}
+
 }  // namespace brandung

@@ -18,6 +18,8 @@ uint add_group(Scene &scene, std::string name, std::vector<std::unique_ptr<Shape
 std::optional<std::string> add_instance(Scene &scene, uint group, const AffineMap &map, uint material = NO_MATERIAL);
 /// Indices are below the number of positions.
 void add_triangle_mesh(Scene &scene, uint material, MeshData mesh);
+/// Indices (three per triangle) of a polygon's triangles; empty without area. What is wrong with it is counted.
+std::vector<uint> triangulate_polygon(const std::vector<vec3> &vertices, std::map<std::string, uint> &warnings);
 /// Triangulates a polygon and appends it to a mesh; `normals` is empty, as in the mesh so far, or has a unit vector per vertex.
 void append_polygon(Scene &scene, MeshData &mesh, const std::vector<vec3> &vertices, const std::vector<vec3> &normals);
 

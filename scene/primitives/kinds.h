@@ -10,6 +10,7 @@ void read_sphere(const Parameters &parameters, uint material, Scene &scene);
 void read_frustum(const Parameters &parameters, uint material, Scene &scene);
 void read_cylinder(const Parameters &parameters, uint material, Scene &scene);
 void read_triangle_mesh(const Parameters &parameters, uint material, Scene &scene);
+void read_mesh(const Parameters &parameters, uint material, Scene &scene);
 void read_polygon(const Parameters &parameters, uint material, Scene &scene);
 
 /// One vector per vertex, scaled to unit length; empty if absent. Throws SceneError if they are not as many or have no length.

@@ -44,13 +44,18 @@ bool is_flat(const std::vector<vec3> &vertices) {
 
 }  // namespace
 
+std::vector<uint> triangulate_polygon(const std::vector<vec3> &vertices, std::map<std::string, uint> &warnings) {
+    std::vector<uint> triangles = triangles_with_area(vertices);
+    if (triangles.empty())
+        ++warnings["polygon without area: left out"];
+    else if (!is_flat(vertices))
+        ++warnings["polygon whose corners do not lie in one plane: its triangles are bent against each other"];
+    return triangles;
+}
+
 void append_polygon(Scene &scene, MeshData &mesh, const std::vector<vec3> &vertices, const std::vector<vec3> &normals) {
-    const std::vector<uint> triangles = triangles_with_area(vertices);
-    if (triangles.empty()) {
-        ++scene.warnings["polygon without area: left out"];
-        return;
-    }
-    if (!is_flat(vertices)) ++scene.warnings["polygon whose corners do not lie in one plane: its triangles are bent against each other"];
+    const std::vector<uint> triangles = triangulate_polygon(vertices, scene.warnings);
+    if (triangles.empty()) return;
     const uint first = uint(mesh.positions.size());
     mesh.positions.insert(mesh.positions.end(), vertices.begin(), vertices.end());
     mesh.normals.insert(mesh.normals.end(), normals.begin(), normals.end());

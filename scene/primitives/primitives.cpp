@@ -6,7 +6,7 @@ namespace brandung {
 const std::vector<ShapeReader> &shape_readers() {
     static const std::vector<ShapeReader> readers = {
         {"sphere", read_sphere},   {"frustum", read_frustum}, {"cylinder", read_cylinder}, {"triangle_mesh", read_triangle_mesh},
-        {"polygon", read_polygon},
+        {"polygon", read_polygon}, {"mesh", read_mesh, true},
     };
     return readers;
 }

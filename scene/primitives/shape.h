@@ -48,10 +48,14 @@ public:
     uint material;  ///< index into Scene::materials
 };
 
+/// Stands for materials that a file of meshes has of its own.
+inline constexpr uint material_of_file = 0xffffffffu;
+
 /// A shape's name in scene files and how it is read; adds its shapes to the scene.
 struct ShapeReader {
     const char *name;
     void (*read)(const Parameters &parameters, uint material, Scene &scene);
+    bool from_file = false;  ///< whether scenes need not name its material, which is then material_of_file
 };
 /// All shapes that scene files may name.
 const std::vector<ShapeReader> &shape_readers();

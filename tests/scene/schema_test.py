@@ -52,6 +52,9 @@ BROKEN = {
         {"type": "triangle_mesh", "material": "grey", "positions": [[0, 0, 0]], "indices": [0, 0, -1]},
         {"type": "triangle_mesh", "material": "grey", "positions": [[0, 0, 0]], "indices": [0, 0, 0], "uvs": [[1]]},
         {"type": "polygon", "material": "grey", "vertices": [[0, 0, 0], [1, 0, 0]]},
+        {"type": "mesh"},
+        {"type": "mesh", "file": ""},
+        {"type": "mesh", "file": "bunny.obj", "material": 1},
     ],
     "/objects/1": [
         {"type": "instance"}, {"type": "instance", "group": 3}, {"type": "instance", "group": "g", "material": 1},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/tools/program.h"
 #include "tests/tools/scenes.h"
@@ -36,8 +37,9 @@ TEST(Cli, HelpNamesEverySubcommandOnStandardOutput) {
 TEST(Cli, HelpOfRenderNamesEveryOption) {
     const Finished run = run_program({"render", "--help"});
     expect_success(run);
-    for (const char *option : {"--output", "--integrator", "--accelerator", "--spp", "--size", "--seed", "--pixel", "--camera", "--max-depth",
-                               "--set", "--device", "--batch", "--threads", "--stats", "--explain", "--quiet"})
+    for (const char *option :
+         {"--output", "--integrator", "--accelerator", "--spp", "--size",   "--seed",  "--pixel",   "--camera", "--max-depth", "--from",
+          "--at",     "--up",         "--fov",         "--set", "--device", "--batch", "--threads", "--stats",  "--explain",   "--quiet"})
         EXPECT_NE(run.out.find(option), std::string::npos) << option;
 }
 
@@ -314,4 +316,27 @@ TEST(CliInterrupted, ByTheTerminateSignalToo) {
     const Finished run = interrupted_render(folder, {"-o", folder.path("out.exr")}, SIGTERM);
     EXPECT_EQ(run.status, 130) << "signal " << run.signal << "\n" << run.err;
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"out.exr", "scene.json"}));
+}
+
+/// What a mesh gets is said in a form that gives the same picture when it is asked for.
+TEST(Cli, AMeshGetsACameraAndALight) {
+    const TemporaryFolder folder;
+    const std::string mesh = folder.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -1\nf 1 2 3\nf 1 3 4\n");
+    const Finished run = run_program({"render", mesh, "-o", folder.path("a.ppm"), "--size", "32x32"});
+    expect_success(run);
+    std::string camera;
+    for (const std::string &line : lines_of(run.err))
+        if (line.starts_with("camera: ")) camera = line.substr(8);
+    EXPECT_NE(run.err.find("\nlight: {\"type\": \"point\""), std::string::npos) << run.err;
+    std::vector<std::string> arguments = {"render", mesh, "-o", folder.path("b.ppm"), "--size", "32x32", "--quiet"};
+    std::istringstream words(camera);
+    for (std::string word; words >> word;) arguments.push_back(word);
+    ASSERT_EQ(arguments.size(), 15u) << run.err;
+    const Finished same = run_program(arguments);
+    expect_success(same);
+    EXPECT_EQ(same.err, "");
+    EXPECT_EQ(read_file(folder.path("a.ppm")), read_file(folder.path("b.ppm")));
+    arguments[8] = "5,5,5";
+    expect_success(run_program(arguments));
+    EXPECT_NE(read_file(folder.path("a.ppm")), read_file(folder.path("b.ppm")));
 }

@@ -37,7 +37,7 @@ const char *const small_scene = R"({
 std::string error_of(const std::string &text, const std::vector<std::string> &assignments = {}) {
     const TemporaryFile file(text);
     try {
-        read_scene(file.path, assignments);
+        read_scene(file.path, {assignments, {}, {}});
     } catch (const SceneError &error) {
         const std::string what = error.what();
         EXPECT_EQ(what.substr(0, file.path.size()), file.path);

@@ -30,14 +30,14 @@ private:
 
 inline Scene read_nff_text(const std::string &text, const std::vector<std::string> &assignments = {}) {
     const NffFile file(text);
-    return read_scene(file.path(), assignments);
+    return read_scene(file.path(), {assignments, {}, {}});
 }
 
 /// The message about a bad text, without the file's name; empty if nothing is wrong with it.
 inline std::string error_of_nff_text(const std::string &text, const std::vector<std::string> &assignments = {}) {
     const NffFile file(text);
     try {
-        read_scene(file.path(), assignments);
+        read_scene(file.path(), {assignments, {}, {}});
     } catch (const SceneError &error) {
         const std::string message = error.what();
         EXPECT_EQ(message.find('\n'), std::string::npos);

@@ -26,7 +26,7 @@ public:
 
 inline Scene read_text(const std::string &text, const std::vector<std::string> &assignments = {}) {
     const TemporaryFile file(text);
-    return read_scene(file.path, assignments);
+    return read_scene(file.path, {assignments, {}, {}});
 }
 
 }  // namespace brandung

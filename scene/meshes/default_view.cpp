@@ -1,0 +1,137 @@
+#include "scene/meshes/default_view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "scene/bounds.h"
+#include "scene/lights/light.h"
+
+namespace brandung {
+namespace {
+
+using glm::dvec3;
+
+constexpr double default_fov = 35, azimuth = 30, elevation = 20;  // [degrees]
+constexpr double margin = 1.05;                                   ///< of a shell's distance
+constexpr double shell_share = 0.1;     ///< a shell is open if its vector area is at least this part of its area; a box without a side has 0.2
+constexpr double light_shift = 0.35;    ///< of the light, up and to the left, as a part of the camera's distance
+constexpr double nearly_straight = 20;  // [degrees]
+constexpr float fill = 0.1f;            ///< ambient light, for what the headlight does not reach
+
+template <class Visit> void for_each_vertex(const std::vector<MeshPart> &parts, const Visit &visit) {
+    for (const MeshPart &part : parts)
+        for (const uint index : part.mesh.indices) visit(dvec3(part.mesh.positions[index]));
+}
+
+struct Sphere {
+    dvec3 center;
+    double radius;
+};
+
+/// Around the centre of the meshes' box.
+Sphere bounding_sphere(const std::vector<MeshPart> &parts) {
+    Bounds bounds;
+    for_each_vertex(parts, [&](const dvec3 &p) { bounds.add(vec3(p)); });
+    if (bounds.empty()) return {dvec3(0), 1};
+    Sphere sphere{0.5 * (dvec3(bounds.low) + dvec3(bounds.high)), 0};
+    for_each_vertex(parts, [&](const dvec3 &p) { sphere.radius = std::max(sphere.radius, glm::length(p - sphere.center)); });
+    return sphere;
+}
+
+/// The vector area as a part of the area: 0 for closed surfaces, 1 for a flat one.
+dvec3 mean_normal(const std::vector<MeshPart> &parts) {
+    dvec3 vector(0);
+    double area = 0;
+    for (const MeshPart &part : parts) {
+        const auto &[positions, indices] = std::tie(part.mesh.positions, part.mesh.indices);
+        for (std::size_t i = 0; i < indices.size(); i += 3) {
+            const dvec3 a(positions[indices[i]]), n = glm::cross(dvec3(positions[indices[i + 1]]) - a, dvec3(positions[indices[i + 2]]) - a);
+            vector += n, area += glm::length(n);
+        }
+    }
+    return area > 0 ? vector / area : dvec3(0);
+}
+
+/// The horizontal direction into which an open shell faces; 0 if there is none. Rooms are looked into along an axis.
+dvec3 opening(const std::vector<MeshPart> &parts, const dvec3 &up) {
+    const dvec3 mean = mean_normal(parts), horizontal = mean - up * glm::dot(mean, up);
+    if (glm::length(horizontal) < shell_share) return dvec3(0);
+    const dvec3 direction = glm::normalize(horizontal);
+    for (int axis = 0; axis < 3; ++axis) {
+        dvec3 along(0);
+        along[axis] = std::copysign(1.0, direction[axis]);
+        if (std::abs(direction[axis]) > std::cos(glm::radians(nearly_straight)) && std::abs(glm::dot(along, up)) < 1e-6) return along;
+    }
+    return direction;
+}
+
+/// Towards the eye, of unit length.
+dvec3 three_quarters(const dvec3 &up) {
+    const dvec3 axis = std::abs(up.z) < 0.9 ? dvec3(0, 0, 1) : dvec3(0, -1, 0);
+    const dvec3 front = glm::normalize(axis - up * glm::dot(axis, up)), right = glm::cross(up, front);
+    const double a = glm::radians(azimuth), e = glm::radians(elevation);
+    return std::cos(e) * (std::cos(a) * front + std::sin(a) * right) + std::sin(e) * up;
+}
+
+/// From `at` so far in the direction `way` that all vertices are seen.
+double distance_to_see(const std::vector<MeshPart> &parts, const dvec3 &at, const dvec3 &way, const dvec3 &up, double tan_x, double tan_y) {
+    const dvec3 right = glm::normalize(glm::cross(up, way)), upward = glm::cross(way, right);
+    double distance = 0;
+    for_each_vertex(parts, [&](const dvec3 &p) {
+        const dvec3 q = p - at;
+        distance = std::max(distance, glm::dot(q, way) + std::max(std::abs(glm::dot(q, right)) / tan_x, std::abs(glm::dot(q, upward)) / tan_y));
+    });
+    return margin * distance;
+}
+
+bool emits(const Scene &scene, const std::vector<MeshPart> &parts) {
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](const MeshPart &part) { return scene.materials[part.material].record.emission != Spectrum(0); });
+}
+
+}  // namespace
+
+CameraDescription framing_camera(const std::vector<MeshPart> &parts, const FilmSettings &film, const ViewChanges &changes) {
+    CameraDescription camera;
+    camera.name = "camera";
+    camera.fov = changes.fov.value_or(float(glm::radians(default_fov)));
+    camera.up = changes.up.value_or(camera.up);
+    const Sphere sphere = bounding_sphere(parts);
+    const dvec3 up = camera.up == vec3(0) ? dvec3(0, 1, 0) : glm::normalize(dvec3(camera.up)), at = dvec3(changes.at.value_or(vec3(sphere.center)));
+    const double tan_y = std::tan(0.5 * double(camera.fov)), tan_x = tan_y * film.width / film.height;
+    const dvec3 into = opening(parts, up), way = into == dvec3(0) ? three_quarters(up) : into;
+    const double to_sphere = (sphere.radius + glm::length(at - sphere.center)) / std::sin(std::atan(std::min(tan_x, tan_y)));
+    const double distance = into == dvec3(0) ? to_sphere : distance_to_see(parts, at, way, up, tan_x, tan_y);
+    camera.at = vec3(at);
+    camera.from = changes.from.value_or(vec3(at + distance * way));
+    return camera;
+}
+
+Light headlight(const std::vector<MeshPart> &parts, const CameraDescription &camera) {
+    const dvec3 from(camera.from), way = from - dvec3(camera.at), right = glm::normalize(glm::cross(dvec3(camera.up), way)),
+                                   upward = glm::normalize(glm::cross(way, right));
+    const bool in_shell = opening(parts, glm::normalize(dvec3(camera.up))) != dvec3(0);
+    const dvec3 shift = in_shell ? dvec3(0) : light_shift * glm::length(way) * (upward - right);
+    return make_light(PointLight{.position = vec3(from + shift), .intensity = Spectrum(std::numbers::pi_v<float>), .attenuation = {1, 0, 0}});
+}
+
+void add_default_view(const std::vector<MeshPart> &parts, const ViewChanges &changes, Scene &scene) {
+    const CameraDescription camera = framing_camera(parts, scene.film, changes);
+    scene.cameras.push_back(camera);
+    scene.notes.push_back("camera: " + view_options(camera));
+    if (parts.empty() || view_fault(camera) || emits(scene, parts)) return;
+    const Light light = headlight(parts, camera);
+    scene.lights.push_back(light);
+    scene.ambient = Spectrum(fill);
+    PointLight view;
+    std::memcpy(&view, light.words, sizeof view);
+    scene.notes.push_back(
+        fmt::format(R"(light: {{"type": "point", "position": [{}, {}, {}], "intensity": {}, "attenuation": [1, 0, 0]}}, "ambient": {})",
+                    view.position.x, view.position.y, view.position.z, view.intensity.x, fill));
+}
+
+}  // namespace brandung

@@ -1,0 +1,23 @@
+/// What a scene gets whose file has nothing but meshes: a camera, and a light.
+#pragma once
+#include <vector>
+
+#include "scene/meshes/mesh_file.h"
+#include "scene/view.h"
+
+namespace brandung {
+
+/// A camera that sees the whole sphere around the meshes' box, from the front, 30 degrees from the right and 20 from above: a box shows three of
+/// its sides from there, the front the widest, and no edge hides another. Front is +z, or -y if up is along z. An open shell, whose outward sides
+/// do not cancel out (a room without its front wall, a mask), is looked into instead, as its sides face, and fills the picture.
+/// `changes` are taken into account: the distance follows the angle of view.
+CameraDescription framing_camera(const std::vector<MeshPart> &parts, const FilmSettings &film, const ViewChanges &changes);
+
+/// A light beside the camera, up to the left, so that shapes show; at the camera where that looks into a shell, so that nothing is in the shadow.
+/// It has the irradiance pi at every distance: a surface that faces it has its diffuse reflectance as radiance, whatever the scale.
+Light headlight(const std::vector<MeshPart> &parts, const CameraDescription &camera);
+
+/// Adds the two where the scene lacks them, and says so in its notes; `parts` are the scene's meshes.
+void add_default_view(const std::vector<MeshPart> &parts, const ViewChanges &changes, Scene &scene);
+
+}  // namespace brandung

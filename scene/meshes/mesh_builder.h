@@ -1,0 +1,91 @@
+/// MeshBuilder: from faces whose corners name positions, normals and texture coordinates each by a number of its own to meshes whose vertices have
+/// all of them.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scene/meshes/mesh_file.h"
+
+namespace brandung {
+
+/// What faces name by number, counted from 0. A reader appends to it while it reads.
+struct MeshTables {
+    std::vector<vec3> positions;   ///< not finite where the file has no usable one
+    std::vector<vec3> normals;     ///< of unit length, or 0 where the file has no usable one
+    std::vector<vec2> uvs;         ///< not finite where the file has no usable ones
+    std::vector<Spectrum> colors;  ///< linear, of the positions; empty or as many
+
+    void add_normal(vec3 normal);
+};
+
+/// A corner of a face.
+struct MeshVertex {
+    static constexpr uint none = 0xffffffffu;
+    uint position, uv = none, normal = none;
+
+    bool operator==(const MeshVertex &) const = default;
+};
+
+class MeshBuilder {
+public:
+    static constexpr uint no_material = 0xffffffffu;
+
+    /// `tables` may grow from face to face.
+    explicit MeshBuilder(const MeshTables &tables) : tables_(tables) {}
+
+    /// What follows belongs to another group than what has been added.
+    void start_part() { part_is_open_ = false; }
+    /// Of the faces that follow: a number of the reader's.
+    void set_material(uint material);
+    /// Of the faces that follow: those of one group share normals where they have none of their own; 0: they stay flat.
+    void set_smoothing(uint group) { smoothing_ = group; }
+    /// Adds a polygon, perhaps concave. What cannot be used is left out and counted.
+    void add_face(const std::vector<MeshVertex> &corners, std::map<std::string, uint> &warnings);
+    /// The meshes, of one material and group each, in the order of their first faces. Ends the builder.
+    std::vector<MeshPart> finish();
+
+private:
+    /// Where the vertices of a part get their normals from.
+    enum class Normals { none, own, smoothed };
+    /// A vertex of the part, and the next one at its position.
+    struct LocalVertex {
+        MeshVertex vertex;
+        uint next;
+    };
+    /// The sum of a smoothing group's normals at a position, and that of the next group there.
+    struct SmoothNormal {
+        glm::dvec3 sum;
+        uint group, next;
+    };
+    /// A part whose normals are known when all faces are.
+    struct SmoothPart {
+        std::size_t part;
+        std::vector<uint> normals;  ///< by vertex: place in smooth_normals_
+    };
+
+    Normals normals_of(const std::vector<MeshVertex> &corners, std::map<std::string, uint> &warnings) const;
+    bool has_uvs(const std::vector<MeshVertex> &corners) const;
+    void open_part(Normals normals, bool uvs, bool colors);
+    uint local(const MeshVertex &vertex);
+    uint smooth_normal(uint position);
+    void smooth(std::vector<MeshVertex> &corners);
+    void fill_normals(const SmoothPart &smooth);
+
+    const MeshTables &tables_;
+    std::vector<MeshPart> parts_;
+    uint material_ = no_material, smoothing_ = 0;
+    bool part_is_open_ = false;  ///< the last part goes on
+    bool uvs_ = false, colors_ = false;
+    Normals normals_ = Normals::none;  ///< of the last part, as what it has
+    std::vector<uint> first_at_;       ///< by position: place in locals_ of the last part's newest vertex there
+    std::vector<LocalVertex> locals_;
+    std::vector<uint> first_smooth_at_;  ///< by position: place in smooth_normals_
+    std::vector<SmoothNormal> smooth_normals_;
+    std::vector<SmoothPart> smooth_parts_;
+    std::vector<MeshVertex> corners_;  // of the face that is added
+    std::vector<vec3> polygon_;
+    std::vector<uint> vertices_;
+};
+
+}  // namespace brandung

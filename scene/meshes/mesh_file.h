@@ -1,0 +1,28 @@
+/// Files that hold nothing but meshes.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scene/formats/format.h"
+#include "scene/scene.h"
+
+namespace brandung {
+
+/// Triangles with one material.
+struct MeshPart {
+    uint material;  ///< index into Scene::materials
+    MeshData mesh;
+};
+
+/// What a file has, in its order. Materials go to the scene: under their own names after `prefix`, those of which it has one of that name being
+/// taken as they are. Throws SceneError `file:line: why`; what is left out is a counted warning of the scene.
+std::vector<MeshPart> read_obj(const std::string &file, const std::string &prefix, Scene &scene, const ReadProgress &progress);
+std::vector<MeshPart> read_ply(const std::string &file, const std::string &prefix, Scene &scene, const ReadProgress &progress);
+
+/// One of the two, by the file's extension. Throws SceneError.
+std::vector<MeshPart> read_mesh_file(const std::string &file, const std::string &prefix, Scene &scene, const ReadProgress &progress);
+
+/// The place in the scene of the material `name`; it is made of `material` if it is not there yet.
+uint add_material(Scene &scene, const std::string &name, const Material &material);
+
+}  // namespace brandung

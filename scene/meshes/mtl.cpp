@@ -1,0 +1,144 @@
+/// The statements of material libraries.
+#include "scene/meshes/mtl.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <filesystem>
+#include <iterator>
+#include <set>
+
+#include "scene/formats/tokens.h"
+
+namespace brandung {
+namespace {
+
+struct Reading {
+    Tokens tokens;
+    std::map<std::string, uint> &warnings;
+    std::vector<MtlMaterial> materials;
+
+    MtlMaterial &material() { return materials.back(); }
+};
+
+/// One value for all three parts, or three.
+void read_color(Reading &reading, std::optional<Spectrum> &color) {
+    Tokens &tokens = reading.tokens;
+    if (!tokens.at_number_on_line()) {  // "spectral FILE" and "xyz X Y Z"
+        ++reading.warnings["material with a colour that is not three numbers: not used"];
+        return tokens.skip_line();
+    }
+    Spectrum value(tokens.not_negative("colour of a material"));
+    for (int i = 1; i < 3 && tokens.at_number_on_line(); ++i) value[i] = value[2] = tokens.not_negative("colour of a material");
+    color = value;
+}
+
+void read_number(Reading &reading, std::optional<float> &number) {
+    Tokens &tokens = reading.tokens;
+    if (!tokens.at_line_end() && tokens.peek() == "-halo") tokens.word();
+    if (!tokens.at_number_on_line()) tokens.fail("value of a material: expected a number on the line");
+    number = tokens.length("value of a material");
+}
+
+void read_illum(Reading &reading) {
+    if (!reading.tokens.at_number_on_line()) reading.tokens.fail("illum: expected a whole number on the line");
+    const int64 illum = reading.tokens.integer("illum");
+    if (illum < 0 || illum > 10) reading.tokens.fail("illum: must be from 0 to 10, got " + std::to_string(illum));
+    reading.material().illum = illum;
+}
+
+/// Options of textures and how many words follow them at most; numbers end where something else follows.
+struct TextureOption {
+    std::string_view name;
+    uint words;
+};
+constexpr TextureOption texture_options[] = {{"-blendu", 1},  {"-blendv", 1}, {"-boost", 1},  {"-mm", 2},        {"-o", 3},
+                                             {"-s", 3},       {"-t", 3},      {"-texres", 1}, {"-clamp", 1},     {"-bm", 1},
+                                             {"-imfchan", 1}, {"-type", 1},   {"-cc", 1},     {"-colorspace", 1}};
+
+bool is_number(std::string_view word) {
+    float value;
+    const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    return error == std::errc() && stop == word.data() + word.size();
+}
+
+/// The name of a texture, between its options; names may have blanks.
+std::string texture_file(Tokens &tokens) {
+    while (!tokens.at_line_end()) {
+        const auto option =
+            std::find_if(std::begin(texture_options), std::end(texture_options), [&](const TextureOption &o) { return o.name == tokens.peek(); });
+        if (option == std::end(texture_options)) break;
+        tokens.word();
+        if (option->words == 1)
+            tokens.word_on_line();
+        else
+            for (uint i = 0; i < option->words && !tokens.at_line_end() && is_number(tokens.peek()); ++i) tokens.word();
+    }
+    std::string file = tokens.rest_of_line();
+    for (const TextureOption &option : texture_options) {
+        const std::size_t found = file.find(" " + std::string(option.name) + " ");
+        if (found != std::string::npos) file.resize(file.find_last_not_of(" \t", found) + 1);
+    }
+    return file;
+}
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Of statements that Whitted's surface has nothing for; false if this is none of them.
+bool is_left_out(const std::string &key) {
+    return key.starts_with("map_") || is_one_of(key, {"bump", "disp", "decal", "refl", "norm", "ps", "pc", "pcr", "aniso", "anisor", "sharpness"});
+}
+
+void read_statement(Reading &reading, const std::string &key) {
+    Tokens &tokens = reading.tokens;
+    MtlMaterial &material = reading.material();
+    if (key == "kd") return read_color(reading, material.kd);
+    if (key == "ks") return read_color(reading, material.ks);
+    if (key == "ke") return read_color(reading, material.ke);
+    if (key == "tf" || key == "kt") return read_color(reading, material.tf);
+    if (key == "ns") return read_number(reading, material.ns);
+    if (key == "ni") return read_number(reading, material.ni);
+    if (key == "d") return read_number(reading, material.d);
+    if (key == "tr") return read_number(reading, material.tr);
+    if (key == "pr") return read_number(reading, material.roughness);
+    if (key == "pm") return read_number(reading, material.metallic);
+    if (key == "illum") return read_illum(reading);
+    if (key == "map_kd") return void(material.map_kd = texture_file(tokens));
+    if (key == "map_ks") return void(material.map_ks = texture_file(tokens));
+    tokens.skip_line();
+    if (is_one_of(key, {"ka", "map_ka"})) return;
+    if (is_left_out(key))
+        ++reading.warnings["material statement that Whitted's surface has nothing for (" + key + "): not used"];
+    else
+        ++reading.warnings["unknown material statement: not used"];
+}
+
+}  // namespace
+
+std::vector<MtlMaterial> read_mtl(const std::string &file, std::map<std::string, uint> &warnings) {
+    Reading reading{Tokens(file), warnings, {}};
+    Tokens &tokens = reading.tokens;
+    while (!tokens.at_end()) {
+        std::string key(tokens.word());
+        std::transform(key.begin(), key.end(), key.begin(), [](unsigned char c) { return std::tolower(c); });
+        if (key == "newmtl") {
+            MtlMaterial &material = reading.materials.emplace_back();
+            material.name = tokens.rest_of_line();
+            material.folder = std::filesystem::path(file).parent_path().string();
+        } else if (reading.materials.empty()) {
+            ++warnings["material statement before any newmtl: not used"];
+            tokens.skip_line();
+        } else {
+            read_statement(reading, key);
+        }
+        if (!tokens.at_line_end()) {
+            ++warnings["material statement with more on its line than it takes: the rest is not used"];
+            tokens.skip_line();
+        }
+    }
+    return std::move(reading.materials);
+}
+
+}  // namespace brandung

@@ -1,0 +1,258 @@
+/// PLY, as text and as bytes of both orders.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+
+#include "scene/error.h"
+#include "scene/input.h"
+#include "scene/meshes/mesh_builder.h"
+#include "scene/meshes/mtl.h"
+#include "scene/meshes/ply_values.h"
+#include "scene/srgb.h"
+#include "scene/textures/texture.h"
+
+namespace brandung {
+
+void PlyBytes::fail(const std::string &why) const { throw SceneError(fmt::format("{}: byte {}: {}", file_, at_ - text_.data(), why)); }
+
+namespace {
+
+constexpr uint64 elements_between_reports = 1u << 16;
+
+/// What a property of a vertex is.
+enum Role { x, y, z, nx, ny, nz, red, green, blue, u, v, roles, other = roles };
+
+struct RoleName {
+    std::string_view name;
+    Role role;
+};
+constexpr RoleName role_names[] = {{"x", x},
+                                   {"y", y},
+                                   {"z", z},
+                                   {"nx", nx},
+                                   {"ny", ny},
+                                   {"nz", nz},
+                                   {"red", red},
+                                   {"green", green},
+                                   {"blue", blue},
+                                   {"r", red},
+                                   {"g", green},
+                                   {"b", blue},
+                                   {"u", u},
+                                   {"v", v},
+                                   {"s", u},
+                                   {"t", v},
+                                   {"texture_u", u},
+                                   {"texture_v", v},
+                                   {"texture_s", u},
+                                   {"texture_t", v},
+                                   {"diffuse_red", red},
+                                   {"diffuse_green", green},
+                                   {"diffuse_blue", blue}};
+
+Role role_of(const PlyProperty &property) {
+    const auto found = std::find_if(std::begin(role_names), std::end(role_names), [&](const RoleName &r) { return r.name == property.name; });
+    return property.count || found == std::end(role_names) ? other : found->role;
+}
+
+bool is_index_list(const PlyProperty &property) { return property.count && (property.name == "vertex_indices" || property.name == "vertex_index"); }
+bool is_uv_list(const PlyProperty &property) { return property.count && property.name == "texcoord"; }
+
+/// Colours of whole numbers are sRGB and reach to the largest of their type, others are linear.
+float linear_color(double value, PlyType type) {
+    if (is_float(type)) return std::isfinite(value) ? float(std::max(value, 0.0)) : 0;
+    const double largest = std::exp2(8 * bytes_of(type)) - 1;
+    return srgb_to_linear(float(std::clamp(value / largest, 0.0, 1.0)));
+}
+
+/// Reads elements from `Values`, which is PlyText or PlyBytes.
+template <class Values> class PlyReader {
+public:
+    PlyReader(const std::string &file, Values &values, Scene &scene, const ReadProgress &progress)
+        : file_(file), values_(values), scene_(scene), progress_(progress) {}
+
+    std::vector<MeshPart> read(const PlyHeader &header) {
+        const auto is_face = [](const PlyElement &element) { return element.name == "face" || element.name == "tristrips"; };
+        for (const PlyElement &element : header.elements) {
+            if (element.properties.empty()) continue;
+            expect_enough(element);
+            if (element.name == "vertex")
+                read_vertices(element);
+            else if (is_face(element))
+                read_faces(element);
+            else
+                skip(element);
+        }
+        if (std::none_of(header.elements.begin(), header.elements.end(), is_face)) ++scene_.warnings["points without faces: left out"];
+        return builder_.finish();
+    }
+
+private:
+    /// Refuses counts that the file cannot have, before memory is taken for them.
+    void expect_enough(const PlyElement &element) const {
+        std::size_t bytes = 0;
+        for (const PlyProperty &property : element.properties) bytes += Values::smallest(property.count.value_or(property.type));
+        if (element.count > values_.left() / bytes)
+            values_.fail(fmt::format("the header promises {} of element {}, but only {} bytes are left", element.count,
+                                     brandung::quoted(element.name), values_.left()));
+    }
+
+    void report(uint64 i) const {
+        if (progress_ && i % elements_between_reports == 0) progress_(file_, values_.part());
+    }
+
+    uint64 list_length(const PlyProperty &property) {
+        const double length = values_.value(*property.count, "length of a list");
+        if (length < 0 || length > double(values_.left() / Values::smallest(property.type)))
+            values_.fail(fmt::format("a list of {} values, but only {} bytes are left", length, values_.left()));
+        return uint64(length);
+    }
+
+    void skip(const PlyProperty &property) {
+        const uint64 count = property.count ? list_length(property) : 1;
+        for (uint64 i = 0; i < count; ++i) values_.value(property.type, property.name.c_str());
+    }
+
+    void skip(const PlyElement &element) {
+        for (uint64 i = 0; i < element.count; ++i) {
+            report(i);
+            for (const PlyProperty &property : element.properties) skip(property);
+        }
+    }
+
+    void read_vertices(const PlyElement &element) {
+        std::vector<Role> at(element.properties.size());
+        std::array<bool, roles + 1> has{};
+        std::transform(element.properties.begin(), element.properties.end(), at.begin(), role_of);
+        for (const Role role : at) has[role] = true;
+        if (!has[x] || !has[y] || !has[z]) values_.fail("element \"vertex\" has not all of the properties x, y and z");
+        normals_ = has[nx] && has[ny] && has[nz], uvs_ = has[u] && has[v];
+        const bool colors = has[red] && has[green] && has[blue];
+        tables_.positions.reserve(element.count);
+        std::array<double, roles + 1> value{};
+        for (uint64 i = 0; i < element.count; ++i) {
+            report(i);
+            for (std::size_t p = 0; p < at.size(); ++p) {
+                if (at[p] == other) {
+                    skip(element.properties[p]);
+                    continue;
+                }
+                const PlyType type = element.properties[p].type;
+                value[at[p]] = values_.value(type, "property of a vertex");
+                if (at[p] >= red && at[p] <= blue) value[at[p]] = linear_color(value[at[p]], type);
+            }
+            tables_.positions.emplace_back(value[x], value[y], value[z]);
+            if (normals_) tables_.add_normal({value[nx], value[ny], value[nz]});
+            if (colors) tables_.colors.emplace_back(value[red], value[green], value[blue]);
+            if (uvs_) tables_.uvs.emplace_back(value[u], value[v]);
+        }
+        vertices_ = element.count;
+        if (vertices_ >= MeshVertex::none) values_.fail("more vertices than can be numbered");
+    }
+
+    void read_faces(const PlyElement &element) {
+        if (std::none_of(element.properties.begin(), element.properties.end(), is_index_list))
+            values_.fail("element " + brandung::quoted(element.name) + " has no list vertex_indices");
+        for (uint64 i = 0; i < element.count; ++i) {
+            report(i);
+            uv_list_.clear();
+            for (const PlyProperty &property : element.properties) {
+                if (is_index_list(property))
+                    read_list(property, indices_);
+                else if (is_uv_list(property))
+                    read_list(property, uv_list_);
+                else
+                    skip(property);
+            }
+            if (element.name == "face")
+                add_face();
+            else
+                add_strips();
+        }
+    }
+
+    void read_list(const PlyProperty &property, std::vector<double> &list) {
+        list.resize(list_length(property));
+        for (double &value : list) value = values_.value(property.type, "value of a list");
+    }
+
+    MeshVertex vertex(double index) const {
+        if (!(index >= 0 && index < double(vertices_) && index == std::floor(index)))
+            values_.fail(fmt::format("face: there is no vertex {}; {} have been read", index, vertices_));
+        const uint place = uint(index);
+        return {.position = place, .uv = uvs_ ? place : MeshVertex::none, .normal = normals_ ? place : MeshVertex::none};
+    }
+
+    /// Texture coordinates of the face itself, two per corner, go before those of its vertices.
+    void add_face() {
+        corners_.clear();
+        for (const double index : indices_) corners_.push_back(vertex(index));
+        if (!uv_list_.empty() && uv_list_.size() == 2 * corners_.size()) {
+            for (std::size_t i = 0; i < corners_.size(); ++i) {
+                corners_[i].uv = uint(tables_.uvs.size());
+                tables_.uvs.emplace_back(uv_list_[2 * i], uv_list_[2 * i + 1]);
+            }
+        }
+        builder_.add_face(corners_, scene_.warnings);
+    }
+
+    /// Every index after the second of a strip ends a triangle; they turn about in turns. A negative one ends the strip.
+    void add_strips() {
+        std::size_t begin = 0;
+        for (std::size_t i = 0; i < indices_.size(); ++i) {
+            if (indices_[i] < 0) begin = i + 1;
+            if (i < begin + 2 || indices_[i] < 0) continue;
+            const bool turned = (i - begin) % 2 != 0;
+            corners_ = {vertex(indices_[i - (turned ? 1 : 2)]), vertex(indices_[i - (turned ? 2 : 1)]), vertex(indices_[i])};
+            builder_.add_face(corners_, scene_.warnings);
+        }
+    }
+
+    const std::string &file_;
+    Values &values_;
+    Scene &scene_;
+    const ReadProgress &progress_;
+    MeshTables tables_;
+    MeshBuilder builder_{tables_};
+    uint64 vertices_ = 0;
+    bool normals_ = false, uvs_ = false;  ///< whether vertices have them
+    std::vector<double> indices_, uv_list_;
+    std::vector<MeshVertex> corners_;
+};
+
+/// The texture that a comment names, as MeshLab writes it; empty without one.
+std::string texture_file(const PlyHeader &header) {
+    constexpr std::string_view key = "comment TextureFile ";
+    for (const std::string &comment : header.comments) {
+        if (comment.starts_with(key)) return comment.substr(key.size(), comment.find_last_not_of(" \t\r") + 1 - key.size());
+    }
+    return "";
+}
+
+template <class Values>
+std::vector<MeshPart> read_with(const std::string &file, std::string text, const PlyHeader &header, Scene &scene, const ReadProgress &progress) {
+    Values values(file, std::move(text), header);
+    return PlyReader<Values>(file, values, scene, progress).read(header);
+}
+
+}  // namespace
+
+std::vector<MeshPart> read_ply(const std::string &file, const std::string &prefix, Scene &scene, const ReadProgress &progress) {
+    std::string text = file_text(file);
+    const PlyHeader header = read_ply_header(file, text);
+    const auto read = header.format == PlyFormat::ascii ? read_with<PlyText> : read_with<PlyBytes>;
+    std::vector<MeshPart> parts = read(file, std::move(text), header, scene, progress);
+    const bool colors = std::any_of(parts.begin(), parts.end(), [](const MeshPart &part) { return !part.mesh.colors.empty(); });
+    const std::string texture = texture_file(header);
+    Material material = default_mesh_material(colors || !texture.empty());
+    if (!texture.empty()) material.diffuse_texture = add_texture(scene, (std::filesystem::path(file).parent_path() / texture).string());
+    const uint number = add_material(scene, prefix + "no material", material);
+    for (MeshPart &part : parts) part.material = number;
+    return parts;
+}
+
+}  // namespace brandung
