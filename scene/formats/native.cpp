@@ -44,7 +44,7 @@ void read_materials(const Parameters &root, Scene &scene) {
 
 void read_lights(const Parameters &root, Scene &scene) {
     for (const Parameters &parameters : root.children("lights")) {
-        scene.lights.push_back(kind_of(parameters, lights_of_files()).read(parameters));
+        scene.lights.push_back(kind_of(parameters, light_kinds()).read(parameters));
         parameters.expect_all_known();
     }
 }
@@ -64,12 +64,12 @@ void read_objects(const Parameters &parent, bool with_instances, Scene &scene) {
     for (const Parameters &parameters : parent.children("objects")) {
         const uint type = parameters.choice("type", types);
         const bool is_instance = type == shape_readers().size();
-        const bool by_file = !is_instance && shape_readers()[type].from_file && !parameters.has("material");
-        if (materials.empty() && !by_file) parameters.fail("material", "the scene has no materials");
+        const bool unnamed = (is_instance || shape_readers()[type].from_file) && !parameters.has("material");
+        if (materials.empty() && !unnamed) parameters.fail("material", "the scene has no materials");
         if (is_instance)
             read_instance(parameters, materials, scene);
         else
-            shape_readers()[type].read(parameters, by_file ? material_of_file : parameters.choice("material", materials), scene);
+            shape_readers()[type].read(parameters, unnamed ? material_of_file : parameters.choice("material", materials), scene);
         parameters.expect_all_known();
     }
 }

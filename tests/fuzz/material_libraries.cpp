@@ -1,0 +1,13 @@
+/// Fuzzes the reader of material libraries, and what their materials become.
+#include "scene/meshes/mtl.h"
+#include "tests/fuzz/input_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
+    const std::string file = write_input(data, size, ".mtl");
+    try {
+        std::map<std::string, uint> warnings;
+        for (const brandung::MtlMaterial &material : brandung::read_mtl(file, warnings)) brandung::make_material(material, warnings);
+    } catch (const brandung::SceneError &) {
+    }
+    return 0;
+}
