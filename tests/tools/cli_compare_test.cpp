@@ -65,8 +65,8 @@ TEST(CliCompare, TextHasALineForEveryMeasure) {
     const Finished run = compare(picture(folder, "a.png", 0.5f, 1), picture(folder, "b.png", 0.5f, 0));
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
-    for (const char *line : {"\nmse ", "\nrelmse ", "\nmape ", "\npsnr ", "\nssim ", "\nflip ", "\nmax_error   1 ", "\nworst_block ", "\nnot_finite  0 ",
-                             "(7, 3)", "LDR", "mean of a:"})
+    for (const char *line : {"\nmse ", "\nrelmse ", "\nmape ", "\npsnr ", "\nssim ", "\nflip ", "\nmax_error   1 ", "\nworst_block ",
+                             "\nnot_finite  0 ", "(7, 3)", "LDR", "mean of a:"})
         EXPECT_NE(run.out.find(line), std::string::npos) << line << " in\n" << run.out;
 }
 
@@ -139,7 +139,8 @@ TEST(CliCompare, WhatCannotBeComparedIsRefusedInOneLine) {
         EXPECT_EQ(lines_of(run.err).size(), 1u) << run.err;
         return run.err;
     };
-    EXPECT_EQ(refusal(compare(a, small), 1), "brandung: " + a + ", " + small + ": pictures of 20 x 16 and 2 x 3 pixels cannot be compared: the sizes differ\n");
+    EXPECT_EQ(refusal(compare(a, small), 1),
+              "brandung: " + a + ", " + small + ": pictures of 20 x 16 and 2 x 3 pixels cannot be compared: the sizes differ\n");
     EXPECT_TRUE(refusal(compare(a, missing), 1).starts_with("brandung: " + missing + ": "));
     EXPECT_TRUE(refusal(compare(a, folder.write("text.png", "no picture")), 1).starts_with("brandung: " + folder.path("text.png") + ": "));
     EXPECT_NE(refusal(compare(small, small, {"--tolerance", "ssim=0.5"}), 1).find("ssim has no value"), std::string::npos);
