@@ -74,6 +74,7 @@ uint MeshBuilder::local(const MeshVertex &vertex) {
     first = number;
     MeshData &mesh = parts_.back().mesh;
     mesh.positions.push_back(tables_.positions[vertex.position]);
+    if (colors_) mesh.colors.push_back(tables_.colors[vertex.position]);
     if (uvs_) mesh.uvs.push_back(tables_.uvs[vertex.uv]);
     if (normals_ == Normals::own) mesh.normals.push_back(tables_.normals[vertex.normal]);
     if (normals_ == Normals::smoothed) smooth_parts_.back().normals.push_back(vertex.normal);

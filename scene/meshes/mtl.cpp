@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <filesystem>
 #include <iterator>
 #include <set>
 
@@ -123,7 +124,9 @@ std::vector<MtlMaterial> read_mtl(const std::string &file, std::map<std::string,
         std::string key(tokens.word());
         std::transform(key.begin(), key.end(), key.begin(), [](unsigned char c) { return std::tolower(c); });
         if (key == "newmtl") {
-            reading.materials.emplace_back().name = tokens.rest_of_line();
+            MtlMaterial &material = reading.materials.emplace_back();
+            material.name = tokens.rest_of_line();
+            material.folder = std::filesystem::path(file).parent_path().string();
         } else if (reading.materials.empty()) {
             ++warnings["material statement before any newmtl: not used"];
             tokens.skip_line();

@@ -17,6 +17,7 @@ struct MtlMaterial {
     std::optional<float> roughness, metallic;  ///< Pr and Pm
     std::optional<int64> illum;
     std::string map_kd, map_ks;  ///< files of textures, as they are written
+    std::string folder;          ///< of the library, from which they are found
 };
 
 /// In the order of the file. Throws SceneError `file:line: why`; what cannot be used is a counted warning.
@@ -29,6 +30,7 @@ std::vector<MtlMaterial> read_mtl(const std::string &file, std::map<std::string,
 /// |---|---|
 /// | Kd | `diffuse` and `ambient`, linear Rec. 709; missing: 0.6. Ka is not used: it is often 0 or that of a light |
 /// | Ks, Ns | `specular`, `exponent` (at least 1; missing: 50); none with illum 0 and 1 |
+/// | map_Kd, map_Ks | textures by which `diffuse` and `specular` are multiplied, which are 1 where Kd or Ks is missing or 0; of their options none |
 /// | Ke | `emission` |
 /// | d, Tr = 1 - d | with illum 0 to 3, 5, 8: `transmission` 1 - d with `eta` 1, and all else times d. Of both, d counts |
 /// | illum 3, 5, 8 | mirror: `reflection` Ks, `diffuse` times 1 - Ks |
@@ -39,7 +41,7 @@ std::vector<MtlMaterial> read_mtl(const std::string &file, std::map<std::string,
 /// 1 - m (1 - r)^2: reflections that Whitted's method cannot blur are given to the diffuse part |
 Material make_material(const MtlMaterial &mtl, std::map<std::string, uint> &warnings);
 
-/// Of what no file gives a material: grey, with a little highlight.
-Material default_mesh_material();
+/// Of what no file gives a material: grey, or the colours of its vertices, with a little highlight.
+Material default_mesh_material(bool has_colors);
 
 }  // namespace brandung

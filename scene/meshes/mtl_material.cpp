@@ -18,6 +18,12 @@ bool is_mirror(int64 illum) { return illum == 3 || illum == 5 || illum == 8; }
 bool is_glass(int64 illum) { return illum == 4 || illum == 6 || illum == 7 || illum == 9; }
 bool has_highlight(int64 illum) { return illum > 1; }
 
+/// A texture shows as it is where nothing but black is said beside it.
+Spectrum reflectance(const std::optional<Spectrum> &given, const std::string &texture, float missing) {
+    const bool by_texture = !texture.empty() && given.value_or(Spectrum(0)) == Spectrum(0);
+    return by_texture ? Spectrum(1) : given.value_or(Spectrum(missing));
+}
+
 /// How much of what is behind the surface it hides.
 float opacity(const MtlMaterial &mtl, std::map<std::string, uint> &warnings) {
     if (mtl.d && mtl.tr && *mtl.d != 1 - *mtl.tr) ++warnings["material whose d and Tr contradict each other: d counts"];
@@ -47,10 +53,9 @@ void make_metallic(Whitted &whitted, float roughness, float metallic) {
 Material make_material(const MtlMaterial &mtl, std::map<std::string, uint> &warnings) {
     const int64 illum = mtl.illum.value_or(2);
     const float opaque = opacity(mtl, warnings);
-    if (!mtl.map_kd.empty() || !mtl.map_ks.empty()) ++warnings["material with a texture: without"];
     Whitted whitted{};
-    whitted.diffuse = mtl.kd.value_or(Spectrum(default_diffuse));
-    whitted.specular = has_highlight(illum) ? mtl.ks.value_or(Spectrum(0)) : Spectrum(0);
+    whitted.diffuse = reflectance(mtl.kd, mtl.map_kd, default_diffuse);
+    whitted.specular = has_highlight(illum) ? reflectance(mtl.ks, mtl.map_ks, 0) : Spectrum(0);
     whitted.exponent = std::max(mtl.ns.value_or(default_exponent), 1.0f);
     if (mtl.roughness || mtl.metallic)
         make_metallic(whitted, std::clamp(mtl.roughness.value_or(0.5f), 0.0f, 1.0f), std::clamp(mtl.metallic.value_or(0), 0.0f, 1.0f));
@@ -76,9 +81,10 @@ Material make_material(const MtlMaterial &mtl, std::map<std::string, uint> &warn
     return material;
 }
 
-Material default_mesh_material() {
-    const Whitted whitted = {.ambient = Spectrum(default_diffuse),
-                             .diffuse = Spectrum(default_diffuse),
+Material default_mesh_material(bool has_colors) {
+    const Spectrum diffuse(has_colors ? 1 : default_diffuse);
+    const Whitted whitted = {.ambient = diffuse,
+                             .diffuse = diffuse,
                              .specular = Spectrum(0.15f),
                              .reflection = Spectrum(0),
                              .transmission = Spectrum(0),

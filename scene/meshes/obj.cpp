@@ -12,6 +12,7 @@
 #include "scene/meshes/mesh_file.h"
 #include "scene/meshes/mtl.h"
 #include "scene/srgb.h"
+#include "scene/textures/texture.h"
 
 namespace brandung {
 namespace {
@@ -227,12 +228,21 @@ const MtlMaterial *find_material(const std::map<std::string, MtlMaterial> &libra
     return nullptr;
 }
 
+/// As Material has it. Files that were written on Windows have backslashes between folders.
+uint texture(Scene &scene, const fs::path &folder, std::string name) {
+    std::replace(name.begin(), name.end(), '\\', '/');
+    return name.empty() ? 0 : add_texture(scene, (folder / name).string());
+}
+
 /// The scene's number of the material `name`.
 uint scene_material(const Reading &reading, const std::string &name, const std::string &prefix) {
     std::map<std::string, uint> &warnings = reading.scene.warnings;
     const MtlMaterial *found = find_material(reading.library, name);
     if (!found) ++warnings["material that no library has: grey"];
-    return add_material(reading.scene, prefix + name, found ? make_material(*found, warnings) : default_mesh_material());
+    Material material = found ? make_material(*found, warnings) : default_mesh_material(!reading.tables.colors.empty());
+    if (found) material.diffuse_texture = texture(reading.scene, found->folder, found->map_kd);
+    if (found) material.specular_texture = texture(reading.scene, found->folder, found->map_ks);
+    return add_material(reading.scene, prefix + name, material);
 }
 
 /// Gives parts, whose materials are the reader's, those of the scene.
@@ -243,7 +253,7 @@ void set_materials(const Reading &reading, const std::string &prefix, std::vecto
     for (MeshPart &part : parts) {
         const auto [entry, added] = known.emplace(part.material, 0);
         if (added && part.material == MeshBuilder::no_material)
-            entry->second = add_material(reading.scene, prefix + "no material", default_mesh_material());
+            entry->second = add_material(reading.scene, prefix + "no material", default_mesh_material(!reading.tables.colors.empty()));
         else if (added)
             entry->second = scene_material(reading, *names[part.material], prefix);
         part.material = entry->second;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 
 #include "scene/error.h"
@@ -12,6 +13,7 @@
 #include "scene/meshes/mtl.h"
 #include "scene/meshes/ply_values.h"
 #include "scene/srgb.h"
+#include "scene/textures/texture.h"
 
 namespace brandung {
 
@@ -95,8 +97,8 @@ private:
         std::size_t bytes = 0;
         for (const PlyProperty &property : element.properties) bytes += Values::smallest(property.count.value_or(property.type));
         if (element.count > values_.left() / bytes)
-            values_.fail(
-                fmt::format("the header promises {} of element {}, but only {} bytes are left", element.count, quoted(element.name), values_.left()));
+            values_.fail(fmt::format("the header promises {} of element {}, but only {} bytes are left", element.count,
+                                     brandung::quoted(element.name), values_.left()));
     }
 
     void report(uint64 i) const {
@@ -149,11 +151,12 @@ private:
             if (uvs_) tables_.uvs.emplace_back(value[u], value[v]);
         }
         vertices_ = element.count;
+        if (vertices_ >= MeshVertex::none) values_.fail("more vertices than can be numbered");
     }
 
     void read_faces(const PlyElement &element) {
         if (std::none_of(element.properties.begin(), element.properties.end(), is_index_list))
-            values_.fail("element " + quoted(element.name) + " has no list vertex_indices");
+            values_.fail("element " + brandung::quoted(element.name) + " has no list vertex_indices");
         for (uint64 i = 0; i < element.count; ++i) {
             report(i);
             uv_list_.clear();
@@ -221,6 +224,15 @@ private:
     std::vector<MeshVertex> corners_;
 };
 
+/// The texture that a comment names, as MeshLab writes it; empty without one.
+std::string texture_file(const PlyHeader &header) {
+    constexpr std::string_view key = "comment TextureFile ";
+    for (const std::string &comment : header.comments) {
+        if (comment.starts_with(key)) return comment.substr(key.size(), comment.find_last_not_of(" \t\r") + 1 - key.size());
+    }
+    return "";
+}
+
 template <class Values>
 std::vector<MeshPart> read_with(const std::string &file, std::string text, const PlyHeader &header, Scene &scene, const ReadProgress &progress) {
     Values values(file, std::move(text), header);
@@ -234,8 +246,12 @@ std::vector<MeshPart> read_ply(const std::string &file, const std::string &prefi
     const PlyHeader header = read_ply_header(file, text);
     const auto read = header.format == PlyFormat::ascii ? read_with<PlyText> : read_with<PlyBytes>;
     std::vector<MeshPart> parts = read(file, std::move(text), header, scene, progress);
-    const uint material = add_material(scene, prefix + "no material", default_mesh_material());
-    for (MeshPart &part : parts) part.material = material;
+    const bool colors = std::any_of(parts.begin(), parts.end(), [](const MeshPart &part) { return !part.mesh.colors.empty(); });
+    const std::string texture = texture_file(header);
+    Material material = default_mesh_material(colors || !texture.empty());
+    if (!texture.empty()) material.diffuse_texture = add_texture(scene, (std::filesystem::path(file).parent_path() / texture).string());
+    const uint number = add_material(scene, prefix + "no material", material);
+    for (MeshPart &part : parts) part.material = number;
     return parts;
 }
 

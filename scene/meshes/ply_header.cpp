@@ -80,7 +80,7 @@ private:
         if (error != std::errc() || stop != words_[2].data() + words_[2].size()) fail("element: expected a count, found " + quoted(words_[2]));
         element.name = words_[1];
         for (const PlyElement &other : header_.elements)
-            if (other.name == element.name) fail("second element " + quoted(element.name));
+            if (other.name == element.name) fail("second element " + brandung::quoted(element.name));
         header_.elements.push_back(std::move(element));
     }
 

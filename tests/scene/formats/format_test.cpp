@@ -22,7 +22,7 @@ TEST(ReadScene, NamesFilesThatCannotBeRead) {
     EXPECT_EQ(error("/no/such.json"), "/no/such.json: no such file");
     EXPECT_EQ(error("/"), "/: is a folder, not a file");
     const TemporaryFile unknown("{}", ".xyz");
-    EXPECT_EQ(error(unknown.path), unknown.path + ": unknown scene format \".xyz\"; known by extension: .json .nff");
+    EXPECT_EQ(error(unknown.path), unknown.path + ": unknown scene format \".xyz\"; known by extension: .json .nff .obj .ply");
 }
 
 TEST(ReadScene, ExtensionsMayBeUpperCase) {

@@ -110,6 +110,12 @@ TEST_F(Mtl, TexturesHaveOptionsAndBlanksInTheirNames) {
     EXPECT_EQ(read("map_Kd -s 1 1 infra.png\n").map_kd, "infra.png");
 }
 
+TEST_F(Mtl, TexturesShowAsTheyAreBesideBlack) {
+    EXPECT_EQ(whitted("map_Kd a.png\n").diffuse, Spectrum(1));
+    EXPECT_EQ(whitted("map_Kd a.png\nKd 0 0 0\nmap_Ks a.png\n").specular, Spectrum(1));
+    EXPECT_EQ(whitted("map_Kd a.png\nKd 0.5 0.5 0\n").diffuse, Spectrum(0.5f, 0.5f, 0));
+}
+
 TEST_F(Mtl, WhatIsNotUsedIsCounted) {
     whitted("map_Bump b.png\nPc 1\nfoo 1\nKd spectral f.rfl\nKd 1 1 1 1\n");
     EXPECT_EQ(warnings, (std::map<std::string, uint>{{"material statement that Whitted's surface has nothing for (map_bump): not used", 1},

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "scene/image.h"
+
 #include "tests/scene/meshes/mesh_folder.h"
 
 namespace brandung {
@@ -122,6 +124,28 @@ TEST_F(Obj, LinesMayBeVeryLong) {
         face += " " + std::to_string(i + 1);
     }
     EXPECT_GT(read(text + face).at(0).mesh.indices.size(), 3u * 19000);
+}
+
+/// 0.5 in sRGB is 0.2140 in linear light; vertices before the first coloured one are white.
+TEST_F(Obj, VerticesHaveColours) {
+    const auto parts = read("v 0 0 0\nv 1 0 0 0.5 1 0\nv 1 1 0 0 0 1\nf 1 2 3\n");
+    const std::vector<Spectrum> &colors = parts.at(0).mesh.colors;
+    ASSERT_EQ(colors.size(), 3u);
+    EXPECT_EQ(colors[0], Spectrum(1));
+    EXPECT_NEAR(colors[1].x, 0.2140f, 1e-4f);
+    EXPECT_EQ(colors[2], Spectrum(0, 0, 1));
+    EXPECT_EQ(whitted_of(folder.scene.materials.at(parts[0].material).record).diffuse, Spectrum(1));
+}
+
+TEST_F(Obj, MaterialsHaveTextures) {
+    Picture picture{1, 1, {vec3(1)}, {}};
+    write_picture(folder.write("my tex.exr", ""), picture, PictureStyle());
+    folder.write("tex.mtl", "newmtl a\nmap_Kd my tex.exr\nmap_Ks .\\my tex.exr\nnewmtl b\nmap_Kd none.png\n");
+    const auto parts = read("mtllib tex.mtl\n" + square + "vt 0 0\nusemtl a\nf 1/1 2/1 3/1\nusemtl b\nf 1/1 2/1 3/1\n");
+    EXPECT_EQ(folder.scene.materials.at(parts.at(0).material).record.diffuse_texture, 1u);
+    EXPECT_NE(folder.scene.materials[0].record.specular_texture, 0u);
+    EXPECT_EQ(folder.scene.materials[1].record.diffuse_texture, 0u);
+    EXPECT_EQ(warnings().size(), 1u);
 }
 
 TEST_F(Obj, WhatCannotBeSeenIsCounted) {

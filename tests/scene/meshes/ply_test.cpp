@@ -100,6 +100,24 @@ TEST_F(Ply, FacesMayHaveTextureCoordinatesOfTheirOwn) {
     EXPECT_EQ(mesh.uvs.at(mesh.indices[3]), vec2(0.5f, 0));
 }
 
+/// Whole numbers are sRGB (128 / 255 is 0.2159 in linear light), floats linear.
+TEST_F(Ply, ColoursAndTheTextureOfAComment) {
+    for (const bool whole : {true, false}) {
+        const std::string type = whole ? "uchar" : "float", half = whole ? "128" : "0.5";
+        const std::string text =
+            "ply\nformat ascii 1.0\ncomment TextureFile none.png\nelement vertex 3\nproperty float x\nproperty float y\n"
+            "property float z\nproperty " +
+            type + " red\nproperty " + type + " green\nproperty " + type +
+            " blue\n"
+            "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 0 0 " +
+            half + "\n1 0 0 0 0 0\n0 1 0 0 0 0\n3 0 1 2\n";
+        const auto parts = read(text);
+        ASSERT_EQ(parts.at(0).mesh.colors.size(), 3u);
+        EXPECT_NEAR(parts[0].mesh.colors[0].z, whole ? 0.2159f : 0.5f, 1e-4f);
+        EXPECT_EQ(warnings().size(), 1u) << "there is no none.png";
+    }
+}
+
 /// Five vertices in a row of triangles, and another triangle after a restart; every second one turns about.
 TEST_F(Ply, Strips) {
     const std::string text =
