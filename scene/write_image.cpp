@@ -39,7 +39,6 @@ const std::map<std::string, std::vector<Bits>> &formats() {
         {"tiff", {Bits::single, Bits::eight, Bits::sixteen}},
         {"hdr", {Bits::single}},
         {"png", {Bits::eight, Bits::sixteen}},
-        {"pnm", {Bits::eight, Bits::sixteen}},
     };
     return formats;
 }

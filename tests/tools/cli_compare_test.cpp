@@ -16,7 +16,7 @@ using nlohmann::json;
 std::string picture(const TemporaryFolder &folder, const std::string &name, float grey, float one_pixel) {
     Picture picture{20, 16, std::vector<vec3>(20 * 16, vec3(grey)), {}};
     picture.pixels[20 * 3 + 7] = vec3(one_pixel);
-    write_picture(folder.path(name), picture, 0);
+    write_picture(folder.path(name), picture);
     return folder.path(name);
 }
 
@@ -65,8 +65,8 @@ TEST(CliCompare, TextHasALineForEveryMeasure) {
     const Finished run = compare(picture(folder, "a.png", 0.5f, 1), picture(folder, "b.png", 0.5f, 0));
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
-    for (const char *line : {"\nmse ", "\nrelmse ", "\nmape ", "\npsnr ", "\nssim ", "\nflip ", "\nmax_error   1 ", "\nworst_block ", "\nnot_finite  0 ",
-                             "(7, 3)", "LDR", "mean of a:"})
+    for (const char *line : {"\nmse ", "\nrelmse ", "\nmape ", "\npsnr ", "\nssim ", "\nflip ", "\nmax_error   1 ", "\nworst_block ",
+                             "\nnot_finite  0 ", "(7, 3)", "LDR", "mean of a:"})
         EXPECT_NE(run.out.find(line), std::string::npos) << line << " in\n" << run.out;
 }
 
@@ -132,14 +132,15 @@ TEST(CliCompare, DiffIsAPictureOfTheDifference) {
 TEST(CliCompare, WhatCannotBeComparedIsRefusedInOneLine) {
     const TemporaryFolder folder;
     const std::string a = picture(folder, "a.png", 1, 1), missing = folder.path("missing.png"), small = folder.path("small.png");
-    write_picture(small, Picture{2, 3, std::vector<vec3>(6, vec3(1)), {}}, 0);
+    write_picture(small, Picture{2, 3, std::vector<vec3>(6, vec3(1)), {}});
     const auto refusal = [](const Finished &run, int status) {
         EXPECT_EQ(run.status, status) << run.err;
         EXPECT_EQ(run.out, "");
         EXPECT_EQ(lines_of(run.err).size(), 1u) << run.err;
         return run.err;
     };
-    EXPECT_EQ(refusal(compare(a, small), 1), "brandung: " + a + ", " + small + ": pictures of 20 x 16 and 2 x 3 pixels cannot be compared: the sizes differ\n");
+    EXPECT_EQ(refusal(compare(a, small), 1),
+              "brandung: " + a + ", " + small + ": pictures of 20 x 16 and 2 x 3 pixels cannot be compared: the sizes differ\n");
     EXPECT_TRUE(refusal(compare(a, missing), 1).starts_with("brandung: " + missing + ": "));
     EXPECT_TRUE(refusal(compare(a, folder.write("text.png", "no picture")), 1).starts_with("brandung: " + folder.path("text.png") + ": "));
     EXPECT_NE(refusal(compare(small, small, {"--tolerance", "ssim=0.5"}), 1).find("ssim has no value"), std::string::npos);
