@@ -357,7 +357,7 @@ Spectrum corner_with_background(const TemporaryFolder &folder, const std::string
 // 0x80 is 128 / 255 by the sRGB curve: ((128 / 255 + 0.055) / 1.055)^2.4 = 0.215861.
 TEST(Cli, BackgroundIsAColourOrAPictureForEveryFormat) {
     const TemporaryFolder folder;
-    write_picture(folder.path("sky.exr"), {2, 1, {{0.25f, 0.5f, 2}, {0.25f, 0.5f, 2}}, {}}, 0);
+    write_picture(folder.path("sky.exr"), {2, 1, {{0.25f, 0.5f, 2}, {0.25f, 0.5f, 2}}, {}});
     for (const std::string &scene : {folder.write("scene.json", native_scene()), folder.write("scene.nff", nff_scene())}) {
         EXPECT_EQ(corner_with_background(folder, scene, "0.5"), Spectrum(0.5f));
         EXPECT_EQ(corner_with_background(folder, scene, "0.5,0.25,1"), Spectrum(0.5f, 0.25f, 1));

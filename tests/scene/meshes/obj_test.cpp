@@ -139,7 +139,7 @@ TEST_F(Obj, VerticesHaveColours) {
 
 TEST_F(Obj, MaterialsHaveTextures) {
     Picture picture{1, 1, {vec3(1)}, {}};
-    write_picture(folder.write("my tex.exr", ""), picture, 0);
+    write_picture(folder.write("my tex.exr", ""), picture, PictureStyle());
     folder.write("tex.mtl", "newmtl a\nmap_Kd my tex.exr\nmap_Ks .\\my tex.exr\nnewmtl b\nmap_Kd none.png\n");
     const auto parts = read("mtllib tex.mtl\n" + square + "vt 0 0\nusemtl a\nf 1/1 2/1 3/1\nusemtl b\nf 1/1 2/1 3/1\n");
     EXPECT_EQ(folder.scene.materials.at(parts.at(0).material).record.diffuse_texture, 1u);
