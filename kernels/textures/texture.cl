@@ -4,11 +4,11 @@
 #include "kernels/textures/texture.h"
 
 /// A half float that is finite and not negative.
-FUNCTION float half_to_float(uint bits) { return as_float(bits << 13) * 0x1p112f; }
+FUNCTION float float_of_half(uint bits) { return as_float(bits << 13) * 0x1p112f; }
 
 FUNCTION Spectrum texel(const global ushort *texels, TextureRecord texture, uint column, uint row) {
     const global ushort *at = texels + 3ul * (texture.offset + (ulong)row * texture.width + column);
-    return make3(half_to_float(at[0]), half_to_float(at[1]), half_to_float(at[2]));
+    return make3(float_of_half(at[0]), float_of_half(at[1]), float_of_half(at[2]));
 }
 
 /// Two neighbours along one axis, and the weight of the second.

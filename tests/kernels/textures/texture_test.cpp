@@ -68,7 +68,7 @@ TEST(Texture, HalfFloatsAreExact) {
     std::vector<uint> halves(0x7c00);
     std::iota(halves.begin(), halves.end(), 0u);
     const std::vector<float> floats = Probe(R"(#include "kernels/textures/texture.cl"
-        kernel void probe(const global uint *bits, global float *value) { value[get_global_id(0)] = half_to_float(bits[get_global_id(0)]); })")
+        kernel void probe(const global uint *bits, global float *value) { value[get_global_id(0)] = float_of_half(bits[get_global_id(0)]); })")
                                           .run<float>(halves);
     for (const uint bits : halves) ASSERT_EQ(floats[bits], glm::unpackHalf1x16(static_cast<std::uint16_t>(bits))) << bits;
 }
