@@ -1,5 +1,6 @@
 // Template: records a value of each camera ray's hit. The includer has defined aov_value(scene, ray, hit, point, tint).
 #include "generated/tints.cl"
+#include "kernels/core/load.cl"
 
 /// values[first + i] is that of camera ray live[first + i], whose slot is first + i; infinity in x where there is none.
 kernel void record_aov(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, const global Hit *restrict hits,
