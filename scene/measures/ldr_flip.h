@@ -1,5 +1,5 @@
 /// LDR-FLIP: the difference that is seen when two pictures are shown in turn (Andersson et al., FLIP: A Difference Evaluator for Alternating Images,
-/// HPG 2020).
+/// HPG 2020). In double precision: the root of feature differences makes 1e-4 of the rounding of floats.
 #pragma once
 #include "scene/measures/convolution.h"
 
