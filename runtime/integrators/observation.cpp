@@ -20,6 +20,7 @@ Observation::Observation(Device &device, uint batch, uint branching, uint interi
     : unit_paths(device, std::max(batch, branching)),
       rays(device, std::size_t{batch} * branching),
       paths(device, std::size_t{batch} * branching),
+      sources(device, std::size_t{batch} * branching),
       interiors(device, std::size_t{batch} * branching * interior_size),
       alive(device, std::size_t{batch} * branching),
       all_visible(device, std::vector<std::uint8_t>(batch, 1)),

@@ -18,8 +18,9 @@ struct Observation {
 
     WaveRecords records;
     Buffer<Path> unit_paths;  ///< those of the wave's level, but as if from the eye: throughput and depth are 1
-    Buffer<Ray> rays;         ///< children from slot 0 on, as are the next three
+    Buffer<Ray> rays;         ///< children from slot 0 on, as are the next four
     Buffer<Path> paths;
+    Buffer<uint> sources;
     Buffer<uint> interiors;
     Buffer<std::uint8_t> alive;
     Buffer<std::uint8_t> all_visible;  ///< a row of shadow rays

@@ -282,8 +282,8 @@ private:
         o.record_hits(wave, hits_, hit_instances_, points_, interfaces_, directions_, beyond);
         o.records.unlit = radiance(wave, 1, 0, 0);
         if (secondary_) {
-            secondary_->spawn(wave.count, scene_, params_, wave, o.unit_paths, points_, interfaces_, directions_, wave.level.interiors, beyond, 0u,
-                              o.rays, o.paths, o.interiors, o.alive);
+            secondary_->spawn(wave.count, scene_, params_, wave, o.unit_paths, points_, interfaces_, directions_, hit_instances_,
+                              wave.level.interiors, beyond, 0u, o.rays, o.paths, o.sources, o.interiors, o.alive);
             o.record_children(wave.children ? &secondary_->alive : nullptr);
         }
         observer.see(o.records);

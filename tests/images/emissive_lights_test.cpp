@@ -84,7 +84,7 @@ constexpr Real significant = 4.5L;
 /// The mean of the samples, to their statistics and the rounding of a picture.
 void expect_mean(const Estimate &estimate, Real expected) {
     EXPECT_NEAR(estimate.mean, expected, significant * estimate.error() + 1e-5L * expected);
-    EXPECT_LT(estimate.error(), 0.01L * expected) << "the test can tell";
+    EXPECT_LT(significant * estimate.error(), 0.05L * expected) << "the test can tell 5 %";
 }
 
 /// Form factor from a surface element to a parallel rectangle, one of whose corners is straight above it: sides over height a and b (Howell, C-11).
@@ -123,7 +123,9 @@ TEST_P(Square, GivesItsFormFactorTimesPiOverPi) {
     expect_mean(strata, expected);
     EXPECT_EQ(strata.shadow_rays, 16 * strata.samples);
     EXPECT_EQ(strata.shadow_hits, 0u);
-    EXPECT_LT(strata.variance, once.variance / 100) << "16 for the number, the rest for the strata";
+    // 16 for the number; of a parabola over the square, as light falls below its middle, strata of a quarter leave (5 / 192) / (4 / 45) = 1 / 3.4 of
+    // the variance, of a slope 1 / 16.
+    EXPECT_LT(strata.variance, once.variance / 50);
 }
 
 TEST_P(Square, IsTheSameInManyTriangles) {
