@@ -252,7 +252,7 @@ namespace {
 std::vector<std::string> example_names() {
     std::vector<std::string> names;
     for (const auto &entry : std::filesystem::directory_iterator(BRANDUNG_SOURCE_DIR "/scene/examples"))
-        names.push_back(entry.path().filename().string());
+        if (entry.path().extension() == ".json" || entry.path().extension() == ".nff") names.push_back(entry.path().filename().string());
     return names;
 }
 
