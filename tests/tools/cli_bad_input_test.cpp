@@ -195,7 +195,7 @@ std::vector<SceneText> bad_scenes() {
         {"EmptyNative", "scene.json", "", {"empty"}},
         {"EmptyNff", "scene.nff", "", {"empty"}},
         {"OnlyBlanks", "scene.nff", " \n\n# nothing\n", {"viewpoint"}},
-        {"UnknownExtension", "scene.obj", "v 0 0 0\n", {".obj", ".json", ".nff"}},
+        {"UnknownExtension", "scene.blend", "BLENDER", {".blend", ".json", ".obj"}},
         {"NoExtension", "scene", json, {".json"}},
         {"TruncatedNative", "scene.json", json.substr(0, json.size() / 2), {"scene.json:"}},
         {"NativeWithoutEnd", "scene.json", json.substr(0, json.size() - 3), {"scene.json:"}},
