@@ -33,6 +33,9 @@ struct RenderEnd {
     std::uint64_t samples_done = 0, samples_total = 0;
 };
 
+/// The camera's frustum for a picture of width x height.
+Camera make_camera(const CameraDescription &description, uint width, uint height);
+
 class Renderer {
 public:
     /// Builds kernels and allocates everything but the film and the levels of rays, which are allocated when first needed. Throws SceneError for
@@ -46,6 +49,9 @@ public:
     /// Renders samples first ... first + samples of one pixel, at most as many as rays in a wave, into the film, and gives what was added to
     /// it. Shows the waves to `observer` if there is one.
     std::vector<Sample> render_pixel(Film &film, uint x, uint y, uint first, uint samples, WaveObserver *observer);
+
+    /// Looks from another camera, whose eye is in the same media, from the next render on.
+    void look_from(const CameraDescription &camera) { camera_ = make_camera(camera, film_settings_.width, film_settings_.height); }
 
     const Integrator &integrator() const { return *integrator_; }
     const Filter &filter() const { return filter_; }
@@ -67,8 +73,5 @@ private:
     Buffer<uint> pixels_;
     Buffer<Sample> samples_;
 };
-
-/// The camera's frustum for a picture of width x height.
-Camera make_camera(const CameraDescription &description, uint width, uint height);
 
 }  // namespace brandung

@@ -28,6 +28,7 @@ int run(int argc, char **argv) {
     int status = 0;
     add_render(app, status);
     add_info(app, status);
+    add_check(app, status);
     add_inspect(app, status);
     add_devices(app, status);
     add_compare(app, status);

@@ -6,6 +6,7 @@ namespace brandung {
 
 void add_render(CLI::App &app, int &status);
 void add_info(CLI::App &app, int &status);
+void add_check(CLI::App &app, int &status);
 void add_inspect(CLI::App &app, int &status);
 void add_devices(CLI::App &app, int &status);
 void add_compare(CLI::App &app, int &status);

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "brandung_version.h"
 #include "scene/filters/filter.h"
@@ -88,6 +89,14 @@ void check_outputs(const OutputOptions &options, const FilmSettings &film) {
         throw CLI::ValidationError("--aov", "no output is an EXR, which alone has channels for AOVs");
     if (options.quality && std::none_of(options.files.begin(), options.files.end(), is_jpeg))
         throw CLI::ValidationError("--quality", "no output is a JPEG");
+}
+
+OutputOptions numbered(OutputOptions options, uint number) {
+    for (std::string &file : options.files) {
+        const std::filesystem::path path(file);
+        file = (path.parent_path() / fmt::format("{}_{:03}{}", path.stem().string(), number, path.extension().string())).string();
+    }
+    return options;
 }
 
 float write_outputs(const OutputOptions &options, Job &job, const PhaseSeconds &seconds, const RenderEnd &end, bool running) {

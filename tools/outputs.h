@@ -20,6 +20,8 @@ void add_output_options(CLI::App &command, OutputOptions &options);
 void check_outputs(const OutputOptions &options, const FilmSettings &film);
 /// Writes the film as it is now. `running`: more is going to come. Gives the exposure [EV] of pictures of integers. Throws SceneError.
 float write_outputs(const OutputOptions &options, Job &job, const PhaseSeconds &seconds, const RenderEnd &end, bool running);
+/// The files of one picture of a sequence: "a.png" becomes "a_007.png".
+OutputOptions numbered(OutputOptions options, uint number);
 /// "12 of 34 samples".
 std::string samples_taken(const RenderEnd &end);
 

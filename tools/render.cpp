@@ -6,10 +6,12 @@
 #include <csignal>
 #include <filesystem>
 #include <limits>
+#include <numbers>
 #include <set>
 
 #include "scene/error.h"
 #include "scene/output.h"
+#include "scene/view.h"
 #include "tools/commands.h"
 #include "tools/outputs.h"
 #include "tools/preview/preview.h"
@@ -37,6 +39,9 @@ struct Options : SceneOptions {
     std::vector<std::string> previews;
     std::string preview_hold;
     std::optional<double> save_every;  ///< [s]
+    std::optional<uint> turntable;     ///< pictures
+    uint pictures() const { return turntable.value_or(1); }
+    OutputOptions outputs_of(uint picture) const { return turntable ? numbered(outputs, picture) : outputs; }
     bool explain = false, quiet = false;
 };
 
@@ -119,12 +124,12 @@ void print_notes(const Scene &scene) {
 }
 
 /// Writes the pictures so far now and then; where that fails the render goes on.
-Observer saving(const Options &options, Job &job, PhaseSeconds seconds, ProgressLine &progress) {
+Observer saving(const Options &options, const OutputOptions &outputs, Job &job, PhaseSeconds seconds, ProgressLine &progress) {
     if (!options.save_every) return {};
-    return {*options.save_every, [&, seconds](const RenderProgress &done) mutable {
+    return {*options.save_every, [&, outputs, seconds](const RenderProgress &done) mutable {
                 seconds.render = done.seconds;
                 try {
-                    write_outputs(options.outputs, job, seconds, {false, "", done.samples_done, done.samples_total}, true);
+                    write_outputs(outputs, job, seconds, {false, "", done.samples_done, done.samples_total}, true);
                 } catch (const SceneError &error) {
                     progress.clear();
                     fmt::print(stderr, "warning: {}\n", error.what());
@@ -141,6 +146,44 @@ void print_losses(const Job &job) {
     if (const auto clamped = job.film.clamped()) fmt::print(stderr, "warning: {} samples were brighter than 65536 and were cut\n", clamped);
 }
 
+/// Progress of a picture as a part of them all.
+class Sequence {
+public:
+    explicit Sequence(uint pictures) : pictures_(pictures) {}
+    RenderProgress whole(const RenderProgress &of_picture) {
+        samples_ = of_picture.samples_total;
+        return {done_ * samples_ + of_picture.samples_done, pictures_ * samples_, seconds_now() - start_};
+    }
+    void begin_next() { ++done_; }
+
+private:
+    std::uint64_t pictures_, done_ = 0, samples_ = 0;
+    double start_ = seconds_now();
+};
+
+/// Renders and writes the pictures one after another, each from a camera turned further. Gives the end of them all, and the exposure of the last.
+std::pair<RenderEnd, float> render_pictures(const Options &options, Job &job, PhaseSeconds &seconds, Sequence &sequence, ProgressLine &progress) {
+    RenderEnd all{.complete = true, .failure = "", .samples_done = 0, .samples_total = 0};
+    float exposure = 0;
+    double write_seconds = 0;
+    for (uint picture = 0; picture < options.pictures() && all.complete; ++picture) {
+        const OutputOptions outputs = options.outputs_of(picture);
+        if (picture > 0) {
+            job.renderer.look_from(turned(job.camera, 2 * std::numbers::pi * picture / options.pictures()));
+            job.film.clear();
+            if (job.aovs) job.aovs->clear();
+            sequence.begin_next();
+        }
+        const Observer save = saving(options, outputs, job, seconds, progress);
+        const RenderEnd end = timed(seconds.render, [&] { return job.renderer.render(job.film, save, job.aovs ? &*job.aovs : nullptr); });
+        progress.clear();
+        exposure = timed(write_seconds, [&] { return write_outputs(outputs, job, seconds, end, false); });
+        all = {end.complete, end.failure, all.samples_done + end.samples_done, options.pictures() * end.samples_total};
+    }
+    seconds.write = write_seconds;
+    return {all, exposure};
+}
+
 int render(const Options &options) {
     const double start = seconds_now();
     check_distinct(options);
@@ -151,7 +194,7 @@ int render(const Options &options) {
     const auto on_read = [&](const std::string &file, double part) { progress.show_reading(file, part); };
     const Scene scene = timed(read_seconds, [&] { return read_scene(options, on_read); });
     progress.clear();
-    check_outputs(options.outputs, scene.film);
+    for (uint picture = 0; picture < options.pictures(); ++picture) check_outputs(options.outputs_of(picture), scene.film);
     if (!options.stats.empty()) check_writable(options.stats);
 
     Preview preview(targets, scene, options.outputs.files.front(), options.batch);
@@ -159,7 +202,9 @@ int render(const Options &options) {
 
     const auto say = [&](const std::string &what) { progress.say(what), preview.say(what); };
     Job *rendering = nullptr;
-    const auto on_progress = [&](const RenderProgress &done) {
+    Sequence sequence(options.pictures());
+    const auto on_progress = [&](const RenderProgress &of_picture) {
+        const RenderProgress done = sequence.whole(of_picture);
         progress.show(done);
         preview.after_batch(done, *rendering);
         print_faults(preview, progress);
@@ -182,18 +227,13 @@ int render(const Options &options) {
 
     PhaseSeconds seconds = job.seconds;
     seconds.read = read_seconds;
-    const RenderEnd end = timed(
-        seconds.render, [&] { return job.renderer.render(job.film, saving(options, job, seconds, progress), job.aovs ? &*job.aovs : nullptr); });
+    const std::pair<RenderEnd, float> rendered = render_pictures(options, job, seconds, sequence, progress);
+    const RenderEnd &end = rendered.first;
     preview.finish(end, job);
-    progress.clear();
-
-    double write_seconds = 0;
-    const float exposure = timed(write_seconds, [&] { return write_outputs(options.outputs, job, seconds, end, false); });
-    seconds.write = write_seconds;
     seconds.total = seconds_now() - start;
     if (!options.stats.empty()) write_text(options.stats, statistics(job, seconds, end).dump(2) + "\n");
     print_losses(job);
-    if (scene.film.automatic_exposure) fmt::print(stderr, "exposure: --exposure {}\n", exposure);
+    if (scene.film.automatic_exposure) fmt::print(stderr, "exposure: --exposure {}\n", rendered.second);
     preview.hold(end.complete ? hold : std::nullopt, [&] { return end.complete && interrupted; });
     print_faults(preview, progress);
     if (!end.failure.empty()) throw Error(end.failure + "; the picture so far has been written: " + samples_taken(end));
@@ -210,6 +250,9 @@ void add_render(CLI::App &app, int &status) {
     add_output_options(*command, options->outputs);
     command->add_option("--save-every", options->save_every, "while rendering write the pictures so far every so many seconds")
         ->check(CLI::PositiveNumber);
+    command
+        ->add_option("--turntable", options->turntable, "render so many pictures, the camera going once around what it looks at: NAME_000.png, ...")
+        ->check(CLI::Range(1u, 1000u));
     command->add_option("--stats", options->stats, "write everything counted and timed to this JSON file");
     command
         ->add_option("--preview", options->previews,

@@ -62,6 +62,11 @@ Aovs::Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, co
     if (!means_.empty()) add_.emplace(device, "kernels/stages/add_aov.cl", "add_aov", Sources());
 }
 
+void Aovs::clear() {
+    for (Mean &mean : means_) mean.sums.clear();
+    if (numbers_) numbers_->primitives.clear();
+}
+
 void Aovs::record(const Batch &batch, const DeviceScene &scene, const Wave &wave, const Buffer<Hit> &hits, const Buffer<SurfacePoint> &points,
                   const Buffer<Tints> &tints) {
     for (Mean &mean : means_) mean.record(wave.count, scene, wave, wave.level.rays, hits, points, tints, mean.values);

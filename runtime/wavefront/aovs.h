@@ -22,6 +22,8 @@ public:
     Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, const DeviceScene &on_device, const CameraDescription &camera, uint batch,
          std::size_t largest_band = std::numeric_limits<std::size_t>::max());
 
+    /// Forgets all samples.
+    void clear();
     /// Takes note of a wave of camera rays, whose slots are in the order of their list.
     void record(const Batch &batch, const DeviceScene &scene, const Wave &wave, const Buffer<Hit> &hits, const Buffer<SurfacePoint> &points,
                 const Buffer<Tints> &tints);

@@ -31,6 +31,9 @@ public:
         return static_cast<uint>(std::clamp<std::size_t>(largest / (window.width() * sizeof(Pixel)), 1, window.height()));
     }
 
+    void clear() {
+        for (Band<Pixel> &band : bands_) band.pixels.fill_zero();
+    }
     auto begin() { return bands_.begin(); }
     auto end() { return bands_.end(); }
     /// All pixels of the window.

@@ -14,6 +14,8 @@ public:
     /// Throws Error, with the sizes, if the device's memory is too small, and BuildError.
     Film(Device &device, const Window &window, std::size_t largest_band = std::numeric_limits<std::size_t>::max());
 
+    /// Makes it black again; what was cut is still counted.
+    void clear() { bands_.clear(); }
     /// Adds a batch's samples, which lie in the window.
     void add(const Batch &batch, const Buffer<Sample> &samples);
     /// Mean radiance, 3 floats per pixel, row by row from the top; black where there is no sample yet.

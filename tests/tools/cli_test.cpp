@@ -33,7 +33,8 @@ TEST(Cli, HelpNamesEverySubcommandOnStandardOutput) {
     const Finished run = run_program({"--help"});
     expect_success(run);
     EXPECT_EQ(run.err, "");
-    for (const char *command : {"render", "info", "inspect", "devices", "compare"}) EXPECT_NE(run.out.find(command), std::string::npos) << command;
+    for (const char *command : {"render", "info", "check", "inspect", "devices", "compare"})
+        EXPECT_NE(run.out.find(command), std::string::npos) << command;
 }
 
 TEST(Cli, HelpOfRenderNamesEveryOption) {
@@ -352,6 +353,35 @@ TEST(Cli, AMeshGetsACameraAndALight) {
 Spectrum corner_with_background(const TemporaryFolder &folder, const std::string &scene, const std::string &background) {
     expect_success(run_program({"render", scene, "--quiet", "--background", background, "-o", folder.path("corner.exr")}));
     return read_picture(folder.path("corner.exr")).pixels.at(0);
+}
+
+/// Picture i of n is what the camera sees that has been turned by i / n of a circle; the first is that of the scene's camera.
+TEST(Cli, ATurntableIsASequenceOfTurnedCameras) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.json", native_scene());
+    expect_success(run_program({"render", scene, "--quiet", "--from", "0,1,5", "--at", "0,0,0", "--turntable", "4", "-o", folder.path("t.exr")}));
+    expect_success(run_program({"render", scene, "--quiet", "--from", "0,1,5", "--at", "0,0,0", "-o", folder.path("front.exr")}));
+    expect_success(run_program({"render", scene, "--quiet", "--from", "0,1,-5", "--at", "0,0,0", "-o", folder.path("behind.exr")}));
+    EXPECT_EQ(folder.names(),
+              (std::vector<std::string>{"behind.exr", "front.exr", "scene.json", "t_000.exr", "t_001.exr", "t_002.exr", "t_003.exr"}));
+    const auto pixels = [&](const char *name) { return read_picture(folder.path(name)).pixels; };
+    EXPECT_EQ(pixels("t_000.exr"), pixels("front.exr"));
+    const auto turned = pixels("t_002.exr"), behind = pixels("behind.exr");
+    ASSERT_EQ(turned.size(), behind.size());
+    double difference = 0;  // sines of pi are no zeros
+    for (std::size_t i = 0; i < turned.size(); ++i) difference += glm::length(turned[i] - behind[i]) / double(turned.size());
+    EXPECT_LT(difference, 0.01);
+}
+
+TEST(Cli, CheckReportsWithoutADevice) {
+    const TemporaryFolder folder;
+    const Finished run = run_program({"check", folder.write("scene.json", native_scene())});
+    expect_success(run);
+    EXPECT_NE(run.out.find(" primitives ("), std::string::npos) << run.out;
+    EXPECT_EQ(run.err, "");
+    const Finished bad = run_program({"check", folder.write("bad.json", "{")});
+    EXPECT_EQ(bad.status, 1);
+    EXPECT_NE(bad.err.find("bad.json:1: "), std::string::npos) << bad.err;
 }
 
 // 0x80 is 128 / 255 by the sRGB curve: ((128 / 255 + 0.055) / 1.055)^2.4 = 0.215861.

@@ -1,0 +1,47 @@
+/// brandung check: reads a scene and all that it names, reports, and renders nothing. Needs no OpenCL device.
+#include <fmt/core.h>
+
+#include "tools/commands.h"
+#include "tools/progress.h"
+#include "tools/report.h"
+#include "tools/standard_output.h"
+
+namespace brandung {
+namespace {
+
+struct Options : SceneOptions {
+    bool as_json = false;
+};
+
+std::string as_text(const nlohmann::json &report) {
+    const nlohmann::json &scene = report["scene"];
+    std::string text = fmt::format("{}: {} primitives ({} triangles), {} lights, {} materials, {} cameras\n", report["file"].get<std::string>(),
+                                   scene["primitives"].dump(), scene["triangles"].dump(), scene["lights"].dump(), scene["materials"].dump(),
+                                   scene["cameras"].dump());
+    for (const auto &[warning, count] : report["warnings"].items())
+        text += fmt::format("warning: {}{}\n", warning, count.get<uint>() > 1 ? fmt::format(" ({} times)", count.get<uint>()) : "");
+    return text;
+}
+
+nlohmann::json report_of(const Options &options) {
+    ProgressLine progress(false);
+    const Scene scene = read_scene(options, [&](const std::string &file, double part) { progress.show_reading(file, part); });
+    chosen_camera(scene, options.camera);
+    const CompiledScene compiled = compile(scene);
+    return {{"file", scene.file}, {"scene", scene_contents(scene, compiled)}, {"warnings", compiled.warnings}};
+}
+
+}  // namespace
+
+void add_check(CLI::App &app, int &) {
+    CLI::App *command = app.add_subcommand("check", "read a scene and all that it names, and report; renders nothing");
+    auto options = std::make_shared<Options>();
+    add_scene_options(*command, *options);
+    command->add_flag("--json", options->as_json, "print JSON");
+    command->callback([options] {
+        const nlohmann::json report = report_of(*options);
+        print_result(options->as_json ? report.dump(2) + "\n" : as_text(report));
+    });
+}
+
+}  // namespace brandung
