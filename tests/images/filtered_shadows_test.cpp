@@ -55,13 +55,23 @@ void expect_uniform(const Scene &scene, Spectrum radiance, Real tolerance = 1e-6
 
 }  // namespace
 
-/// Every face counts once, along the edge of its triangles too; more faces than one list of hits holds.
+/// Every face counts once; more faces than one list of hits holds.
 TEST(FilteredShadows, AreTheTransmissionToThePowerOfTheFaces) {
     for (const uint faces : {1u, 2u, 7u, 8u, 9u, 20u}) {
         Scene scene = floor_under(Whitted{.transmission = {0.9f, 0.5f, 0}, .exponent = 1}, from_above());
         for (uint i = 0; i < faces; ++i) add_pane(scene, 1, 2 + float(i) / 8);
         expect_uniform(scene, Spectrum(std::pow(0.9f, float(faces)), std::pow(0.5f, float(faces)), 0));
     }
+}
+
+/// Light falls straight through the edge x = 0 of a pane's triangles upon what the middle column of pixels sees, where x is exactly 0.
+TEST(FilteredShadows, CountAFaceOnceAlongTheEdgesOfItsTriangles) {
+    Scene scene = floor_under(red, from_above());
+    scene.cameras[0].from = {0, 1, 0.5f};
+    scene.film.width = scene.film.height = 25;
+    MeshData mesh{.positions = {{0, 2, -50}, {0, 2, 50}, {50, 2, 0}, {-50, 2, 0}}, .indices = {0, 1, 2, 1, 0, 3}};
+    add_triangle_mesh(scene, 1, std::move(mesh));
+    expect_uniform(scene, {0.5f, 0.25f, 0});
 }
 
 TEST(FilteredShadows, AreDarkBehindWhatIsOpaque) {
