@@ -67,6 +67,7 @@ struct PlacedGroup {
     TransformPair transforms;
     Bounds bounds;                ///< in the world
     uint material = NO_MATERIAL;  ///< index into Scene::materials of what all its objects are made of, if not of their own
+    uint object = NO_OBJECT;      ///< its number among the objects of the scene file
 };
 
 struct Scene {

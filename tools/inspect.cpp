@@ -35,8 +35,10 @@ Place read_place(const std::string &text, const FilmSettings &film) {
     const std::size_t comma = std::min(text.find(','), text.size() - 1);
     if (!read_number(text.substr(0, comma), place.x) || !read_number(text.substr(comma + 1), place.y))
         throw CLI::ValidationError("PIXEL", fmt::format("expected X,Y from the top left, got '{}'", text));
-    if (place.x >= film.width || place.y >= film.height)
-        throw CLI::ValidationError("PIXEL", fmt::format("{} is outside the picture, of {} x {} pixels from 0,0 on", text, film.width, film.height));
+    const Window window = film.window();
+    if (place.x < window.left || place.x >= window.right || place.y < window.top || place.y >= window.bottom)
+        throw CLI::ValidationError("PIXEL", fmt::format("{} is outside the picture, whose pixels are {},{} to {},{}", text, window.left, window.top,
+                                                        window.right - 1, window.bottom - 1));
     return place;
 }
 

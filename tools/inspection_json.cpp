@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "runtime/inspection/reasons.h"
-#include "scene/lights/light.h"
+#include "tools/scene_objects.h"
 
 namespace brandung {
 namespace {
@@ -41,10 +40,7 @@ Total widened(const Sample &sample) { return {widened(sample.sum[0]), widened(sa
 /// Describes the rays of one scene, and keeps the running total of a sample.
 class Describer {
 public:
-    Describer(const Scene &scene, const CompiledScene &compiled) : scene_(scene), compiled_(compiled) {
-        uint first = 0;
-        for (const auto &shape : scene.shapes) first_primitives_.push_back(first), first += static_cast<uint>(shape->count());
-    }
+    Describer(const Scene &scene, const CompiledScene &compiled) : scene_(scene), compiled_(compiled), objects_(scene) {}
 
     json sample(const InspectedSample &sample) {
         total_ = {}, rays_ = 0;
@@ -55,27 +51,19 @@ public:
 private:
     const Material &material_of(const TracedRay &ray) const { return scene_.materials[ray.point.material].record; }
 
-    json primitive(uint number) const {
-        const auto next = std::upper_bound(first_primitives_.begin(), first_primitives_.end(), number);
-        const auto object = static_cast<std::size_t>(next - first_primitives_.begin()) - 1;
-        const Shape &shape = *scene_.shapes[object];
-        return {{"primitive", number},
-                {"kind", shape.kind().name},
-                {"object", object},
-                {"primitive_of_object", number - first_primitives_[object]},
-                {"material", scene_.materials[shape.material].name}};
-    }
-    json hit(const Hit &hit) const {
+    json hit(const Hit &hit, uint instance) {
         if (hit.primitive == NO_HIT) return nullptr;
-        json result = primitive(hit.primitive);
+        json result = objects_.primitive(hit.primitive, instance);
         result.update({{"t", number(hit.t)}, {"u", number(hit.u)}, {"v", number(hit.v)}});
         return result;
     }
 
     /// What is left behind where a ray passes faces that are no interfaces.
-    json passed(const TracedRay &ray) const {
+    json passed(const TracedRay &ray) {
         if (!ray.passed_faces()) return nullptr;
-        return {{"from", vector(ray.begun.origin)}, {"first", hit(ray.closest)}, {"last", primitive(RAY_SOURCE(ray.ray.tag))}};
+        return {{"from", vector(ray.begun.origin)},
+                {"first", hit(ray.closest, ray.closest_instance)},
+                {"last", objects_.primitive(RAY_SOURCE(ray.ray.tag), ray.source_instance)}};
     }
 
     json surface(const TracedRay &ray) const {
@@ -105,28 +93,35 @@ private:
                 {"total_internal_reflection", squared < 0}};
     }
 
+    /// What textures and vertex colours multiply.
+    json tints(const TracedRay &ray) const {
+        if (!ray.tints) return nullptr;
+        return {{"diffuse", vector(ray.tints->diffuse)}, {"specular", vector(ray.tints->specular)}};
+    }
+
     json unlit(const TracedRay &ray) const {
         const bool hits = ray.hits();
-        const Spectrum black(0);
+        const Spectrum black(0), tint = ray.tints ? ray.tints->diffuse : Spectrum(1);
         return {{"emission", vector(hits ? ray.description.emission : black)},
-                {"ambient", vector(hits ? ray.description.ambient : black)},
+                {"ambient", vector(hits ? ray.description.ambient * tint : black)},
                 {"background", vector(hits ? black : ray.unlit)},
                 {"radiance", vector(ray.unlit)}};
     }
 
-    json light(const TracedRay &ray, const TracedLight &light) const {
+    json light(const TracedRay &ray, const TracedLight &light) {
         const bool counts = light.asked && light.visible;
-        return {{"light", light.light},
-                {"kind", light_kinds()[scene_.lights[light.light].kind].name},
-                {"origin", vector(light.ray.origin)},
-                {"direction", vector(light.ray.direction)},
-                {"t_max", number(light.ray.t_max)},
-                {"asked", light.asked},
-                {"why_not", why_not_asked(ray, light)},
-                {"visible", light.visible},
-                {"blocker", light.asked && !light.visible ? hit(light.blocker) : json(nullptr)},
-                {"radiance_if_visible", vector(light.radiance)},
-                {"contribution", vector(counts ? light.radiance * ray.path.throughput : Spectrum(0))}};
+        json result = objects_.light(light.row);
+        result.update({{"origin", vector(light.ray.origin)},
+                       {"direction", vector(light.ray.direction)},
+                       {"t_max", number(light.ray.t_max)},
+                       {"asked", light.asked},
+                       {"why_not", why_not_asked(ray, light)},
+                       {"visible", light.visible},
+                       {"blocker", light.asked && !light.visible ? hit(light.blocker, light.blocker_instance) : json(nullptr)},
+                       {"filter", light.filter ? vector(*light.filter) : json(nullptr)},
+                       {"radiance", vector(light.radiance)},
+                       {"contribution", vector(counts ? light.radiance * ray.path.throughput : Spectrum(0))}});
+        return result;
     }
 
     /// Adds each block's contribution to the running total.
@@ -135,9 +130,9 @@ private:
         for (const TracedLightBlock &block : ray.lights) {
             const FixedPoint sum = fixed_point(block.contribution);
             for (std::size_t c = 0; c < 3; ++c) total_[c] += sum[c];
-            json lights = json::array();
-            for (const TracedLight &light : block.lights) lights.push_back(light.light);
-            list.push_back({{"lights", lights},
+            json rows = json::array();
+            for (const TracedLight &light : block.lights) rows.push_back(light.row);
+            list.push_back({{"rows", rows},
                             {"radiance", vector(block.contribution)},
                             {"fixed_point", fixed(widened(sum))},
                             {"refused", !is_finite(block.contribution)},
@@ -166,9 +161,10 @@ private:
                        {"origin", vector(ray.ray.origin)},
                        {"direction", vector(ray.ray.direction)},
                        {"passed", passed(ray)},
-                       {"hit", hit(ray.hit)},
+                       {"hit", hit(ray.hit, ray.instance)},
                        {"surface", nullptr},
                        {"interface", nullptr},
+                       {"tints", tints(ray)},
                        {"unlit", unlit(ray)},
                        {"lights", json::array()},
                        {"contributions", contributions(ray)},
@@ -188,9 +184,9 @@ private:
 
     const Scene &scene_;
     const CompiledScene &compiled_;
-    std::vector<uint> first_primitives_;  ///< by shape
-    Total total_{};                       ///< of the sample so far
-    uint rays_ = 0;                       ///< of the sample so far
+    SceneObjects objects_;
+    Total total_{};  ///< of the sample so far
+    uint rays_ = 0;  ///< of the sample so far
 };
 
 json pixel_value(const InspectedPixel &pixel) {

@@ -30,9 +30,17 @@ std::string radiance(const json &value) {
     return fmt::format("{} {} {}", channel(value[0]), channel(value[1]), channel(value[2]));
 }
 
+/// "triangle 3 of shape 1 in group "tree", scene.json:12: /groups/0/objects/1".
+std::string shape(const json &s) {
+    return fmt::format("shape {}{}{}", text_of(s["shape"]), s["group"].is_null() ? "" : " in group \"" + text_of(s["group"]) + "\"",
+                       s["place"].is_null() ? "" : ", " + text_of(s["place"]));
+}
 std::string primitive(const json &p) {
-    return fmt::format("primitive {}, \"{}\": {} {} of object {}", text_of(p["primitive"]), text_of(p["material"]), text_of(p["kind"]),
-                       text_of(p["primitive_of_object"]), text_of(p["object"]));
+    const json &instance = p["instance"];
+    const std::string placed = instance.is_null() ? "" : "; in instance " + text_of(instance["number"]);
+    const std::string place = instance.is_null() || instance["place"].is_null() ? "" : ", " + text_of(instance["place"]);
+    return fmt::format("primitive {}, \"{}\": {} {} of {}{}{}", text_of(p["primitive"]), text_of(p["material"]), text_of(p["kind"]),
+                       text_of(p["primitive_of_shape"]), shape(p), placed, place);
 }
 
 /// Lines of a tree.
@@ -115,15 +123,28 @@ void write_hit(Lines &lines, const json &ray) {
     lines.field("eta", floats(interface["eta"]) + (interface["total_internal_reflection"] ? "; total internal reflection if it transmits" : ""));
 }
 
+std::string light_state(const json &light) {
+    if (!light["asked"]) return "not asked: " + text_of(light["why_not"]);
+    if (light["visible"]) return "visible; adds " + floats(light["contribution"]);
+    return light["blocker"].is_null() ? "hidden" : "hidden by " + primitive(light["blocker"]);
+}
+
 void write_light(Lines &lines, const json &light) {
-    const std::string name = fmt::format("light {}, {}", text_of(light["light"]), text_of(light["kind"]));
-    if (!light["asked"]) return lines.field(name, "not asked: " + text_of(light["why_not"]));
-    lines.field(name, light["visible"] ? "visible; adds " + floats(light["contribution"]) : "hidden by " + primitive(light["blocker"]));
+    const json &emissive = light["emissive"];
+    const std::string name = emissive.is_null() ? fmt::format("light {}, {}", text_of(light["light"]), text_of(light["kind"]))
+                                                : fmt::format("light of row {}", text_of(light["row"]));
+    lines.field(name, light_state(light));
+    if (!emissive.is_null())
+        lines.field("  emissive", fmt::format("\"{}\", {}; stratum {},{} of {} x {}", text_of(emissive["material"]), shape(emissive),
+                                              text_of(emissive["stratum"]["column"]), text_of(emissive["stratum"]["row"]),
+                                              text_of(emissive["stratum"]["rows"]), text_of(emissive["stratum"]["rows"])));
+    if (!light["asked"]) return;
     lines.field("  from", floats(light["origin"]));
     lines.field("  direction", floats(light["direction"]));
     lines.field("  t_max", floats(light["t_max"]));
-    if (!light["visible"]) lines.field("  t of what hides", floats(light["blocker"]["t"]));
-    lines.field(light["visible"] ? "  radiance" : "  hidden radiance", floats(light["radiance_if_visible"]));
+    if (!light["blocker"].is_null()) lines.field("  t of what hides", floats(light["blocker"]["t"]));
+    if (!light["filter"].is_null()) lines.field("  filter", floats(light["filter"]));
+    lines.field(light["visible"] ? "  radiance" : "  hidden radiance", floats(light["radiance"]));
 }
 
 void write_child(Lines &lines, const json &child) {
@@ -146,6 +167,10 @@ void write_fields(Lines &lines, const json &ray) {
     lines.field("origin", floats(ray["origin"]));
     lines.field("direction", floats(ray["direction"]));
     if (!ray["hit"].is_null()) write_hit(lines, ray);
+    if (!ray["tints"].is_null()) {
+        lines.field("tint of diffuse", floats(ray["tints"]["diffuse"]));
+        lines.field("  of specular", floats(ray["tints"]["specular"]));
+    }
     for (const char *name : {"background", "emission", "ambient"})
         if (!is_black(ray["unlit"][name])) lines.field(name, floats(ray["unlit"][name]));
     for (const json &light : ray["lights"]) write_light(lines, light);

@@ -11,5 +11,5 @@ typedef struct {
     float cosine;                 ///< between the shading normal and the way back along the ray
     float cosine_squared_beyond;  ///< of the refracted ray; negative where there is total internal reflection
     Spectrum emission;            ///< radiance
-    Spectrum ambient;             ///< radiance by ambient light
+    Spectrum ambient;             ///< radiance by ambient light, before textures tint it
 } HitDescription;

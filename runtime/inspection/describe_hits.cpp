@@ -42,13 +42,15 @@ void find_blockers(Device &device, const DeviceScene &scene, const std::vector<T
     std::iota(all.begin(), all.end(), 0u);
     Kernel intersect(device, "kernels/stages/intersect.cl", "intersect", scene.lists());
     const Buffer<Hit> hits(device, count);
-    const Buffer<uint> instances(device, count);
+    Buffer<uint> instances(device, count);
+    instances.fill_zero();
     const Buffer<std::uint8_t> crowded(device, count);
     const Buffer<Tally> tallies(device, intersect.work_items(count));
     intersect(count, scene, Buffer<uint>(device, all), 0u, static_cast<uint>(count), Buffer<Ray>(device, rays), Buffer<uint>(device, sources), hits,
               instances, crowded, tallies);
     const std::vector<Hit> read = hits.read();
-    for (std::size_t i = 0; i < count; ++i) blocked[i]->blocker = read[i];
+    const std::vector<uint> read_instances = instances.read();
+    for (std::size_t i = 0; i < count; ++i) blocked[i]->blocker = read[i], blocked[i]->blocker_instance = read_instances[i];
 }
 
 }  // namespace

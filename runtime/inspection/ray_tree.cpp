@@ -19,7 +19,8 @@ std::vector<TracedLightBlock> lights_of(const WaveRecords &wave, std::size_t i) 
         block.contribution = records.contributions[i];
         for (const LightRecords &light : records.lights) {
             const bool asked = light.asked[i] != 0, visible = light.visible[i] != 0;
-            block.lights.push_back({light.light, light.rays[i], asked, visible, {}, light.radiance[i]});
+            TracedLight &traced = block.lights.emplace_back(TracedLight{light.row, light.rays[i], asked, visible, {}, 0, {}, light.radiance[i]});
+            if (!light.filters.empty() && visible) traced.filter = light.filters[i];
         }
     }
     return blocks;
@@ -32,6 +33,8 @@ TracedRay traced_ray(const WaveRecords &wave, std::size_t i) {
                   .closest = wave.closest[i],
                   .hit = wave.hits[i],
                   .instance = wave.instances[i],
+                  .closest_instance = wave.closest_instances[i],
+                  .source_instance = wave.source_instances[i],
                   .point = wave.points[i],
                   .interface = wave.interfaces[i],
                   .direction = wave.directions[i],
@@ -39,6 +42,7 @@ TracedRay traced_ray(const WaveRecords &wave, std::size_t i) {
                   .behind = media(wave.behind, wave.interior_size, i),
                   .unlit = wave.unlit[i],
                   .lights = lights_of(wave, i)};
+    if (!wave.tints.empty()) ray.tints = wave.tints[i];
     for (const ChildRecords &child : wave.children) {
         ray.children.push_back({child.rays[i], child.weights[i], nullptr});
         if (child.alive[i] != 0) ray.children.back().traced = std::make_unique<TracedRay>();

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "kernels/stages/describe_hits.h"
@@ -9,14 +10,16 @@
 
 namespace brandung {
 
-/// A shadow ray to a light, and what the light adds.
+/// A shadow ray to a light or to a stratum of an emissive shape, and what that adds.
 struct TracedLight {
-    uint light;
+    uint row;  ///< of the scene's lights, see LightRows
     Ray ray;
-    bool asked;         ///< the ray was traced
-    bool visible;       ///< and met nothing
-    Hit blocker;        ///< the closest thing in its way; by describe_hits(), where it met something
-    Spectrum radiance;  ///< towards the eye where nothing is in the way, at throughput 1
+    bool asked;                      ///< the ray was traced
+    bool visible;                    ///< and met nothing
+    Hit blocker;                     ///< the closest thing in its way; by describe_hits(), where it is not visible
+    uint blocker_instance = 0;       ///< that it is in, 0 outside of all
+    std::optional<Spectrum> filter;  ///< what arrives of the light where it is visible; none where shadows are not filtered
+    Spectrum radiance;               ///< towards the eye at throughput 1; where it is not visible, that which something is in the way of
 };
 
 /// Lights whose shares were added before they were rounded to fixed point.
@@ -41,11 +44,14 @@ struct TracedRay {
     Hit closest;  ///< of `begun`
     Hit hit;
     uint instance = 0;  ///< that the hit is in, 0 outside of all
+    uint closest_instance = 0;
+    uint source_instance = 0;  ///< that of the primitive which `ray` leaves
     SurfacePoint point;
     SurfaceInterface interface;
     vec3 direction;                    ///< back along the ray
     std::vector<uint> before, behind;  ///< lists of media, as kernels/core/interior.cl has them
     HitDescription description{};      ///< by describe_hits(), where something was hit
+    std::optional<Tints> tints;        ///< none in scenes without
     Spectrum unlit;                    ///< radiance that needs no light
     std::vector<TracedLightBlock> lights;
     std::vector<TracedChild> children;  ///< the mirrored ray, then the refracted one; as many as the scene needs

@@ -10,21 +10,20 @@ namespace {
 float largest(Spectrum s) { return std::max({s.x, s.y, s.z}); }
 
 bool transmits(const Material &material) { return (material.flags & MATERIAL_TRANSMITS) != 0; }
+bool is_total(const TracedRay &ray, const Material &material) { return transmits(material) && ray.description.cosine_squared_beyond < 0; }
 
 }  // namespace
 
 bool can_spawn(const TracedRay &parent, std::size_t j, const Material &material) {
-    const bool total = transmits(material) && parent.description.cosine_squared_beyond < 0;
-    return j == reflected_child ? (material.flags & MATERIAL_REFLECTS) != 0 || total : transmits(material) && !total;
+    if (j == refracted_child) return transmits(material);
+    return (material.flags & MATERIAL_REFLECTS) != 0 || is_total(parent, material);
 }
 
 std::string why_not_spawned(const TracedRay &parent, std::size_t j, const Material &material, const IntegratorSettings &settings) {
     const TracedChild &child = parent.children[j];
     if (child.traced) return "";
-    if (!can_spawn(parent, j, material)) {
-        if (j == reflected_child) return "the material does not reflect";
-        return transmits(material) ? "total internal reflection" : "the material does not transmit";
-    }
+    if (!can_spawn(parent, j, material)) return j == reflected_child ? "the material does not reflect" : "the material does not transmit";
+    if (j == refracted_child && is_total(parent, material)) return "total internal reflection";
     if (parent.path.depth >= settings.max_depth) return fmt::format("depth limit: integrator.max_depth is {}", settings.max_depth);
     const float throughput = largest(parent.path.throughput * child.weight);
     if (throughput == 0) return "its throughput is 0";

@@ -14,6 +14,9 @@ template <class T> std::vector<T> gather(const Buffer<T> &buffer, const std::vec
     return items;
 }
 
+/// Zeros in scenes that do without the array.
+std::vector<uint> read_if_any(const Buffer<uint> &buffer, uint count) { return buffer.size() > 0 ? buffer.read(0, count) : std::vector<uint>(count); }
+
 }  // namespace
 
 Observation::Observation(Device &device, uint batch, uint branching, uint interior_size)
@@ -24,7 +27,7 @@ Observation::Observation(Device &device, uint batch, uint branching, uint interi
       interiors(device, std::size_t{batch} * branching * interior_size),
       alive(device, std::size_t{batch} * branching),
       all_visible(device, std::vector<std::uint8_t>(batch, 1)),
-      all_light(device, std::vector<Spectrum>(batch, Spectrum(1))),
+      arriving(device, batch),
       radiance(device, batch),
       branching_(branching) {
     records.interior_size = interior_size;
@@ -40,17 +43,33 @@ void Observation::begin(const Wave &wave) {
     unit_paths.write(unit);
 }
 
+void Observation::record_closest(const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances) {
+    records.closest = hits.read(0, wave.count);
+    records.closest_instances = read_if_any(instances, wave.count);
+}
+
 void Observation::record_hits(const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances, const Buffer<SurfacePoint> &points,
                               const Buffer<SurfaceInterface> &interfaces, const Buffer<vec3> &directions, const Buffer<uint> &beyond) {
     records.rays = gather(wave.level.rays, records.slots);
     records.hits = hits.read(0, wave.count);
-    records.instances = instances.size() > 0 ? instances.read(0, wave.count) : std::vector<uint>(wave.count);
+    records.instances = read_if_any(instances, wave.count);
+    records.source_instances = wave.level.sources.size() > 0 ? gather(wave.level.sources, records.slots) : std::vector<uint>(wave.count);
     records.points = points.read(0, wave.count);
     records.interfaces = interfaces.read(0, wave.count);
     records.directions = directions.read(0, wave.count);
     if (records.interior_size == 0) return;
     records.before = gather(wave.level.interiors, records.slots, records.interior_size);
     records.behind = beyond.read(0, std::size_t{wave.count} * records.interior_size);
+}
+
+void Observation::record_shadows(const Wave &wave, LightRecords &light, std::size_t slot, const Buffer<std::uint8_t> &visible,
+                                 const Buffer<Spectrum> *filters) {
+    light.visible = visible.read(slot, wave.count);
+    if (filters) light.filters = filters->read(slot, wave.count);
+    std::vector<Spectrum> parts(wave.count, Spectrum(1));
+    for (uint i = 0; filters && i < wave.count; ++i)
+        if (light.visible[i] != 0) parts[i] = light.filters[i];
+    arriving.write(parts);
 }
 
 void Observation::record_children(const Buffer<std::uint8_t> *alive_below) {

@@ -10,9 +10,14 @@ struct Observation {
 
     /// Before the wave's rays are traced.
     void begin(const Wave &wave);
-    /// What the wave's rays have met; `beyond`: the media behind, by item.
+    /// What is the closest to them.
+    void record_closest(const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances);
+    /// The interfaces that they have met; `beyond`: the media behind, by item.
     void record_hits(const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances, const Buffer<SurfacePoint> &points,
                      const Buffer<SurfaceInterface> &interfaces, const Buffer<vec3> &directions, const Buffer<uint> &beyond);
+    /// A row of shadow rays, whose first slot this is, after they were traced; `filters` is null where shadows are not filtered. Sets `arriving`.
+    void record_shadows(const Wave &wave, LightRecords &light, std::size_t slot, const Buffer<std::uint8_t> &visible,
+                        const Buffer<Spectrum> *filters);
     /// Children as the stage has written them to the buffers below; `alive_below` is what it wrote for the next level, null at the last.
     void record_children(const Buffer<std::uint8_t> *alive_below);
 
@@ -24,7 +29,7 @@ struct Observation {
     Buffer<uint> interiors;
     Buffer<std::uint8_t> alive;
     Buffer<std::uint8_t> all_visible;  ///< a row of shadow rays
-    Buffer<Spectrum> all_light;        ///< the same, nothing being lost on their way
+    Buffer<Spectrum> arriving;         ///< the same: what arrives of the light
     Buffer<Spectrum> radiance;         ///< by item
 
 private:

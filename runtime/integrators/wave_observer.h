@@ -13,12 +13,13 @@ struct ChildRecords {
     std::vector<std::uint8_t> alive;
 };
 
-/// The shadow rays to one light, one per ray of the wave.
+/// The shadow rays of one row, to a light or to a stratum of an emissive shape, one per ray of the wave.
 struct LightRecords {
-    uint light;
+    uint row;  ///< of the scene's lights, see LightRows
     std::vector<Ray> rays;
     std::vector<std::uint8_t> asked, visible;
-    std::vector<Spectrum> radiance;  ///< towards the eye where nothing is in the way, at throughput 1
+    std::vector<Spectrum> filters;   ///< what arrives of the light where it is visible; empty where shadows are not filtered
+    std::vector<Spectrum> radiance;  ///< towards the eye at throughput 1; where it is not visible, that which something is in the way of
 };
 
 /// Lights whose shares are added before they are rounded to fixed point.
@@ -37,12 +38,14 @@ struct WaveRecords {
     std::vector<Path> paths;
     std::vector<Hit> closest;     ///< of `begun`
     std::vector<Hit> hits;        ///< of `rays`
-    std::vector<uint> instances;  ///< of `hits`: 0 outside of all
+    std::vector<uint> instances;  ///< of `hits`: 0 outside of all; as are those of `closest` and of what `rays` leave
+    std::vector<uint> closest_instances, source_instances;
     std::vector<SurfacePoint> points;
     std::vector<SurfaceInterface> interfaces;
     std::vector<vec3> directions;        ///< back along the rays
     uint interior_size = 0;              ///< entries per ray of the next two, as kernels/core/interior.cl has them
     std::vector<uint> before, behind;    ///< media on both sides of the hits
+    std::vector<Tints> tints;            ///< empty in scenes without
     std::vector<Spectrum> unlit;         ///< radiance that needs no light
     std::vector<ChildRecords> children;  ///< those of every ray may be mirrored, then refracted; as many as the scene needs
     std::vector<LightBlockRecords> lights;

@@ -141,8 +141,7 @@ public:
                       directions_);
             if (pictures_)
                 pictures_->look_up(wave->count, scene_, scene_.texels(), *wave, wave->level.rays, hits_, hit_instances_, points_, pictures_->tints);
-            if (batch.aovs && wave->generation == 0)
-                batch.aovs->record(batch, scene_, *wave, hits_, points_, pictures_ ? pictures_->tints : no_tints_);
+            if (batch.aovs && wave->generation == 0) batch.aovs->record(batch, scene_, *wave, hits_, points_, tints());
             if (wave->children) spawn(*wave);
             for (uint light = 0; light == 0 || light < light_count_; light += lights_per_block) shade(*wave, light, samples);
             if (observer) show(*wave, *observer);
@@ -202,7 +201,7 @@ private:
         intersect(wave.count, scene_, wave, wave.level.rays, wave.level.sources, hits_, hit_instances_, media_ ? media_->crowded : no_bytes_,
                   counter_.tallies());
         counter_.add(intersect.work_items(wave.count));
-        if (observation_) observation_->records.closest = hits_.read(0, wave.count);
+        if (observation_) observation_->record_closest(wave, hits_, hit_instances_);
         if (!media_) return;
         media_->find(wave.count, scene_, wave, wave.level.rays, wave.level.sources, hits_, hit_instances_, media_->crowded, wave.level.interiors,
                      media_->beyond, media_->etas, media_->lost, counter_.tallies());
@@ -223,12 +222,13 @@ private:
         const uint rows = std::min(light_count_ - light, lights_per_block), stride = shadows_ ? shadows_->stride : 0;
         if (rows > 0) trace_shadows(wave, light, rows);
         const Buffer<std::uint8_t> &visible = shadows_ ? shadows_->visible : no_bytes_;
-        const Buffer<Tints> &tints = pictures_ ? pictures_->tints : no_tints_;
-        shade_(wave.count, scene_, wave, uint{light == 0}, light, rows, stride, wave.level.paths, points_, directions_, tints, visible,
+        shade_(wave.count, scene_, wave, uint{light == 0}, light, rows, stride, wave.level.paths, points_, directions_, tints(), visible,
                shadow_filter_ ? shadow_filter_->filters : no_spectra_, contributions_);
         accumulate_(wave.count, wave, wave.level.paths, contributions_, samples, refused_);
         if (observation_) record_lights(wave, rows);
     }
+
+    const Buffer<Tints> &tints() const { return pictures_ ? pictures_->tints : no_tints_; }
 
     void trace_shadows(const Wave &wave, uint light, uint rows) {
         Shadows &shadows = *shadows_;
@@ -251,7 +251,7 @@ private:
         LightBlockRecords &block = observation_->records.lights.emplace_back();
         for (uint row = 0; row < rows; ++row) {
             const std::size_t first = std::size_t{row} * shadows_->stride;
-            block.lights.push_back({light + row, shadows_->rays.read(first, wave.count), shadows_->visible.read(first, wave.count), {}, {}});
+            block.lights.push_back({light + row, shadows_->rays.read(first, wave.count), shadows_->visible.read(first, wave.count), {}, {}, {}});
         }
     }
 
@@ -261,8 +261,9 @@ private:
         LightBlockRecords &block = observation_->records.lights.back();
         for (uint row = 0; row < rows; ++row) {
             LightRecords &light = block.lights[row];
-            light.visible = shadows_->visible.read(std::size_t{row} * shadows_->stride, wave.count);
-            light.radiance = radiance(wave, 0, light.light, 1);
+            observation_->record_shadows(wave, light, std::size_t{row} * shadows_->stride, shadows_->visible,
+                                         shadow_filter_ ? &shadow_filter_->filters : nullptr);
+            light.radiance = radiance(wave, 0, light.row, 1);
         }
         block.contributions = contributions_.read(0, wave.count);
     }
@@ -270,8 +271,8 @@ private:
     /// What visible lights, and with_unlit what needs none, give at throughput 1.
     std::vector<Spectrum> radiance(const Wave &wave, uint with_unlit, uint light, uint lights) {
         Observation &o = *observation_;
-        shade_(wave.count, scene_, wave, with_unlit, light, lights, 0u, o.unit_paths, points_, directions_, pictures_ ? pictures_->tints : no_tints_,
-               o.all_visible, o.all_light, o.radiance);
+        shade_(wave.count, scene_, wave, with_unlit, light, lights, 0u, o.unit_paths, points_, directions_, tints(), o.all_visible, o.arriving,
+               o.radiance);
         return o.radiance.read(0, wave.count);
     }
 
@@ -280,6 +281,7 @@ private:
         Observation &o = *observation_;
         const Buffer<uint> &beyond = media_ ? media_->beyond : no_words_;
         o.record_hits(wave, hits_, hit_instances_, points_, interfaces_, directions_, beyond);
+        if (pictures_) o.records.tints = pictures_->tints.read(0, wave.count);
         o.records.unlit = radiance(wave, 1, 0, 0);
         if (secondary_) {
             secondary_->spawn(wave.count, scene_, params_, wave, o.unit_paths, points_, interfaces_, directions_, hit_instances_,

@@ -56,12 +56,20 @@ void read_instance(const Parameters &parameters, const std::vector<std::string> 
     if (const auto fault = add_instance(scene, group, read_transform(parameters), material)) parameters.fail("transform", *fault);
 }
 
+/// What an object has added to the scene, beyond so many shapes and instances, gets the object's number.
+void number_object(uint object, std::size_t shapes, std::size_t instances, Scene &scene) {
+    for (std::size_t i = shapes; i < scene.shapes.size(); ++i) scene.shapes[i]->object = object;
+    for (std::size_t i = instances; i < scene.instances.size(); ++i) scene.instances[i].object = object;
+}
+
 /// The array "objects" of the scene, or of a group, where there are no instances.
 void read_objects(const Parameters &parent, bool with_instances, Scene &scene) {
     const std::vector<std::string> materials = names_of(scene.materials);
     std::vector<std::string> types = names_of(shape_readers());
     if (with_instances) types.emplace_back("instance");
+    uint object = 0;
     for (const Parameters &parameters : parent.children("objects")) {
+        const std::size_t shapes = scene.shapes.size(), instances = scene.instances.size();
         const uint type = parameters.choice("type", types);
         const bool is_instance = type == shape_readers().size();
         const bool unnamed = (is_instance || shape_readers()[type].from_file) && !parameters.has("material");
@@ -71,6 +79,7 @@ void read_objects(const Parameters &parent, bool with_instances, Scene &scene) {
         else
             shape_readers()[type].read(parameters, unnamed ? material_of_file : parameters.choice("material", materials), scene);
         parameters.expect_all_known();
+        number_object(object++, shapes, instances, scene);
     }
 }
 

@@ -23,6 +23,7 @@ bool shows_light(const Scene &scene) {
 LightRows make_light_rows(const Scene &scene) {
     LightRows lights;
     lights.rows = scene.lights;
+    lights.shapes.resize(scene.lights.size());
     for (const Light &light : scene.lights) ++lights.counts[light_kinds()[light.kind].name];
     if (!shows_light(scene)) return lights;
     for (const std::size_t group : groups_in_use(scene))
@@ -37,6 +38,7 @@ LightRows make_light_rows(const Scene &scene) {
         const Light light = shape->light(radiance, lights.faces);
         ++lights.counts[light_kinds()[light.kind].name];
         append_strata(light, scene.integrator.light_samples, lights.rows);
+        lights.shapes.resize(lights.rows.size(), shape.get());
     }
     return lights;
 }

@@ -11,6 +11,7 @@ namespace brandung {
 /// Every surface point sends one shadow ray to each row: to a light, or to one stratum of an emissive shape.
 struct LightRows {
     std::vector<Light> rows;
+    std::vector<const Shape *> shapes;   ///< by row: the shape that a stratum is of; null for the scene's lights, which come first
     std::vector<EmissiveFace> faces;     ///< of emissive meshes
     uint in_groups = 0;                  ///< emissive shapes in groups: they are seen, but light nothing
     uint dark = 0;                       ///< emissive shapes of which the integrator takes no samples

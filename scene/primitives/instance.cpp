@@ -33,7 +33,7 @@ std::optional<std::string> add_instance(Scene &scene, uint group, const AffineMa
     }
     const Bounds in_world = bounds_in_world(*transforms, bounds);
     if (!in_range(in_world)) return "places the group beyond 1e15";
-    scene.instances.push_back({group, *transforms, in_world, material});
+    scene.instances.push_back({group, *transforms, in_world, material, NO_OBJECT});
     return {};
 }
 

@@ -31,6 +31,9 @@ struct SharedTables {
     std::size_t lack_uvs = 0;  ///< triangles that would have needed them
 };
 
+/// Stands for the number of an object where the file does not number any.
+inline constexpr uint NO_OBJECT = 0xffffffffu;
+
 /// One or more primitives of one kind with one material.
 class Shape {
 public:
@@ -49,7 +52,8 @@ public:
     /// The shape as a light of this radiance, which both of its sides have; its faces, if it has some to choose from, are appended.
     virtual Light light(Spectrum radiance, std::vector<EmissiveFace> &faces) const = 0;
 
-    uint material;  ///< index into Scene::materials
+    uint material;            ///< index into Scene::materials
+    uint object = NO_OBJECT;  ///< its number among the objects of the scene file, or of the file's group
 };
 
 /// Stands for materials that a file of meshes has of its own.

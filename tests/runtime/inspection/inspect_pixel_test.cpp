@@ -65,13 +65,8 @@ Scene example(const char *name, std::vector<std::string> settings) {
     return read_scene(std::string(BRANDUNG_SOURCE_DIR "/scene/examples/") + name, {settings, {}, {}});
 }
 
-/// Eleven lights are a block and a part of one.
-Scene eleven_lights() {
-    Scene scene = example("interpenetration.json", {"film.spp=4"});
-    scene.lights.clear();
-    for (int i = 0; i < 11; ++i) scene.lights.push_back(point_light({float(i - 5), 6, 3}, Spectrum(0.1f * float(i), 1, 2)));
-    return scene;
-}
+Scene filtered_instances() { return example("instances.json", {"film.spp=2", "integrator.shadows=filtered"}); }
+Scene mitchell_textures() { return example("textures.json", {"film.spp=4", "film.filter=mitchell"}); }
 
 class InspectedPicture : public testing::TestWithParam<Picture> {};
 
@@ -103,7 +98,9 @@ TEST_P(InspectedPicture, HasTheBitsOfTheRenderAndTreesThatAddUpToThem) {
 INSTANTIATE_TEST_SUITE_P(Scenes, InspectedPicture,
                          testing::Values(Picture{"NestedGlass", [] { return example("nested_glass.json", {"film.spp=1"}); }},
                                          Picture{"WhittedAtSixteen", [] { return example("whitted_1980.json", {"film.spp=16"}); }},
-                                         Picture{"ElevenLights", eleven_lights}),
+                                         Picture{"LampsInBlocks", [] { return example("lamps.json", {"film.spp=4"}); }},
+                                         Picture{"InstancesWithFilteredShadows", filtered_instances},
+                                         Picture{"TexturesFilteredByMitchell", mitchell_textures}),
                          [](const auto &info) { return info.param.name; });
 
 // ---- scenes by hand --------------------------------------------------------------------------------------------------------------------------

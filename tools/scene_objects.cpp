@@ -1,0 +1,82 @@
+#include "tools/scene_objects.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kernels/primitives/instance.h"
+#include "scene/compile.h"
+#include "scene/lights/light.h"
+
+namespace brandung {
+
+using nlohmann::json;
+
+SceneObjects::SceneObjects(const Scene &scene) : scene_(scene), lights_(make_light_rows(scene)) {
+    uint first = 0;
+    add_shapes(scene.shapes, {}, first);
+    for (const std::size_t group : groups_in_use(scene)) add_shapes(scene.groups[group].shapes, static_cast<uint>(group), first);
+}
+
+void SceneObjects::add_shapes(const std::vector<std::unique_ptr<Shape>> &shapes, std::optional<uint> group, uint &first) {
+    uint number = 0;
+    for (const auto &shape : shapes) {
+        shapes_.push_back({first, shape.get(), group, number++});
+        first += static_cast<uint>(shape->count());
+    }
+}
+
+std::string SceneObjects::place_in_file(const std::string &pointer) {
+    if (!document_) document_ = read_document(scene_.file);
+    const auto [place, is_new] = places_.try_emplace(pointer);
+    if (is_new) place->second = place_of(*document_, pointer);
+    return place->second;
+}
+
+json SceneObjects::place(std::optional<uint> group, uint object) {
+    if (object == NO_OBJECT) return nullptr;
+    return place_in_file((group ? fmt::format("/groups/{}", *group) : "") + fmt::format("/objects/{}", object));
+}
+
+json SceneObjects::shape(const Placed &placed) {
+    const Shape &shape = *placed.shape;
+    return {{"kind", shape.kind().name},
+            {"shape", placed.number},
+            {"material", scene_.materials[shape.material].name},
+            {"group", placed.group ? json(scene_.groups[*placed.group].name) : json(nullptr)},
+            {"object", shape.object == NO_OBJECT ? json(nullptr) : json(shape.object)},
+            {"place", place(placed.group, shape.object)}};
+}
+
+json SceneObjects::instance(uint number) {
+    if (number == 0) return nullptr;
+    const PlacedGroup &placed = scene_.instances[number - 1];
+    return {
+        {"number", number - 1}, {"object", placed.object == NO_OBJECT ? json(nullptr) : json(placed.object)}, {"place", place({}, placed.object)}};
+}
+
+json SceneObjects::primitive(uint number, uint instance_number) {
+    const auto next = std::upper_bound(shapes_.begin(), shapes_.end(), number, [](uint n, const Placed &placed) { return n < placed.first; });
+    const Placed &placed = *std::prev(next);
+    json result = shape(placed);
+    result["primitive"] = number;
+    result["primitive_of_shape"] = number - placed.first;
+    result["instance"] = instance(instance_number);
+    const uint material = instance_number == 0 ? NO_MATERIAL : scene_.instances[instance_number - 1].material;
+    if (material != NO_MATERIAL) result["material"] = scene_.materials[material].name;
+    return result;
+}
+
+json SceneObjects::light(uint row) {
+    const char *kind = light_kinds()[lights_.rows[row].kind].name;
+    const Shape *emissive = lights_.shapes[row];
+    if (!emissive) return {{"row", row}, {"kind", kind}, {"light", row}, {"emissive", nullptr}};
+    const auto same = [&](const Placed &placed) { return placed.shape == emissive; };
+    json result = shape(*std::find_if(shapes_.begin(), shapes_.end(), same));
+    const auto first = std::find(lights_.shapes.begin(), lights_.shapes.end(), emissive);
+    const uint stratum = row - static_cast<uint>(first - lights_.shapes.begin()), rows = scene_.integrator.light_samples;
+    result["stratum"] = {{"column", stratum % rows}, {"row", stratum / rows}, {"rows", rows}};
+    return {{"row", row}, {"kind", kind}, {"light", nullptr}, {"emissive", result}};
+}
+
+}  // namespace brandung
