@@ -102,7 +102,7 @@ TEST(CliInspect, InterfacesHaveMediaOnBothSides) {
 TEST(CliInspect, ThingsHaveTheirPlacesInTheFile) {
     const TemporaryFolder folder;
     const std::string scene = native_scene(R"({"type": "sphere", "material": "lamp", "center": [0, 0, -9], "radius": 0.5},
-    {"type": "instance", "group": "pair", "translate": [0, 0, 1], "material": "red"})",
+    {"type": "instance", "group": "pair", "transform": [{"translate": [0, 0, 1]}], "material": "red"})",
                                            R"(
   "groups": [{"name": "pair", "objects": [
     {"type": "sphere", "material": "grey", "center": [0, 90, 0], "radius": 1},
