@@ -26,8 +26,11 @@ LightRows make_light_rows(const Scene &scene) {
     lights.shapes.resize(scene.lights.size());
     for (const Light &light : scene.lights) ++lights.counts[light_kinds()[light.kind].name];
     if (!shows_light(scene)) return lights;
-    for (const std::size_t group : groups_in_use(scene))
-        for (const auto &shape : scene.groups[group].shapes) lights.in_groups += scene.materials[shape->material].record.emission != Spectrum(0);
+    for (const PlacedGroup &placed : scene.instances)
+        for (const auto &shape : scene.groups[placed.group].shapes) {
+            const uint material = placed.material == NO_MATERIAL ? shape->material : placed.material;
+            lights.in_groups += scene.materials[material].record.emission != Spectrum(0);
+        }
     for (const auto &shape : scene.shapes) {
         const Spectrum radiance = scene.materials[shape->material].record.emission;
         if (radiance == Spectrum(0)) continue;

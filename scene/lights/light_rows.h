@@ -13,7 +13,7 @@ struct LightRows {
     std::vector<Light> rows;
     std::vector<const Shape *> shapes;   ///< by row: the shape that a stratum is of; null for the scene's lights, which come first
     std::vector<EmissiveFace> faces;     ///< of emissive meshes
-    uint in_groups = 0;                  ///< emissive shapes in groups: they are seen, but light nothing
+    uint in_groups = 0;                  ///< emissive shapes of instances: they are seen, but light nothing
     uint dark = 0;                       ///< emissive shapes of which the integrator takes no samples
     std::map<std::string, uint> counts;  ///< of lights and emissive shapes, by kind
 };

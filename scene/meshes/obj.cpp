@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <map>
@@ -11,8 +12,8 @@
 #include "scene/meshes/mesh_builder.h"
 #include "scene/meshes/mesh_file.h"
 #include "scene/meshes/mtl.h"
-#include "scene/srgb.h"
 #include "scene/textures/texture.h"
+#include "scene/tone.h"
 
 namespace brandung {
 namespace {
@@ -38,6 +39,12 @@ struct Reading {
 
 void warn(Reading &reading, const std::string &text) { ++reading.scene.warnings[text]; }
 
+/// From the curve of sRGB; what is not from 0 to 1 is taken as the nearest that is.
+Spectrum linear_color(const float *encoded) {
+    const auto part = [](float value) { return srgb_decoded(std::fmin(std::fmax(value, 0.0f), 1.0f)); };
+    return {part(encoded[0]), part(encoded[1]), part(encoded[2])};
+}
+
 /// A vertex `x y z`, `x y z w` or `x y z r g b`; colours are sRGB, as programs write them that paint meshes.
 void read_vertex(Reading &reading) {
     Tokens &tokens = reading.tokens;
@@ -50,7 +57,7 @@ void read_vertex(Reading &reading) {
     const uint color = count >= 6 ? count - 3 : 0;
     if (color == 0 && tables.colors.empty()) return;
     if (tables.colors.empty()) tables.colors.resize(tables.positions.size() - 1, Spectrum(1));
-    tables.colors.push_back(color == 0 ? Spectrum(1) : srgb_to_linear({values[color], values[color + 1], values[color + 2]}));
+    tables.colors.push_back(color == 0 ? Spectrum(1) : linear_color(values + color));
 }
 
 void read_normal(Reading &reading) {

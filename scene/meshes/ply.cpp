@@ -12,7 +12,7 @@
 #include "scene/meshes/mesh_builder.h"
 #include "scene/meshes/mtl.h"
 #include "scene/meshes/ply_values.h"
-#include "scene/srgb.h"
+#include "scene/tone.h"
 #include "scene/textures/texture.h"
 
 namespace brandung {
@@ -66,7 +66,7 @@ bool is_uv_list(const PlyProperty &property) { return property.count && property
 float linear_color(double value, PlyType type) {
     if (is_float(type)) return std::isfinite(value) ? float(std::max(value, 0.0)) : 0;
     const double largest = std::exp2(8 * bytes_of(type)) - 1;
-    return srgb_to_linear(float(std::clamp(value / largest, 0.0, 1.0)));
+    return srgb_decoded(float(std::clamp(value / largest, 0.0, 1.0)));
 }
 
 /// Reads elements from `Values`, which is PlyText or PlyBytes.

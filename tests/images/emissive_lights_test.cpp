@@ -84,7 +84,7 @@ constexpr Real significant = 4.5L;
 /// The mean of the samples, to their statistics and the rounding of a picture.
 void expect_mean(const Estimate &estimate, Real expected) {
     EXPECT_NEAR(estimate.mean, expected, significant * estimate.error() + 1e-5L * expected);
-    EXPECT_LT(significant * estimate.error(), 0.05L * expected) << "the test can tell 5 %";
+    EXPECT_LT(estimate.error(), 0.01L * expected) << "the test can tell";
 }
 
 /// Form factor from a surface element to a parallel rectangle, one of whose corners is straight above it: sides over height a and b (Howell, C-11).
@@ -158,6 +158,7 @@ class Ball : public testing::TestWithParam<float> {};
 TEST_P(Ball, GivesTheSquaredRatioTimesTheCosine) {
     const float radius = GetParam();
     Scene scene = scene_seen_at({4, 1, 0.5f}, {0, 0, 0});
+    scene.film.spp = 32;  // near the lamp one sample's deviation is 1.2 times the mean
     add_floor(scene), add_sphere(scene, 1, {1, 2, -2}, radius);
     const Real expected = Real(radius) * radius / 9 * 2 / 3;  // d = 3, cosine 2 / 3
     const Estimate once = estimate(scene);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "tests/support/scenes.h"
 
 namespace brandung {
@@ -43,6 +45,24 @@ TEST(Compile, KeepsTheScenesWarnings) {
     Scene scene = glass_spheres(1);
     add_sphere(scene, 0, vec3(0), 0);
     EXPECT_EQ(compile(scene).warnings, scene.warnings);
+}
+
+/// Of two shapes in a group one shines by itself, and both where an instance's material replaces theirs by one that does.
+TEST(Compile, CountsEmissiveShapesOfInstances) {
+    Scene scene;
+    scene.file = "scene";
+    const uint dull = add_material(scene, matte(0.5f));
+    Material shining = matte(0.5f);
+    shining.emission = Spectrum(1);
+    const uint lamp = add_material(scene, shining);
+    add_sphere(scene, dull, {0, 0, 0}, 1), add_sphere(scene, lamp, {3, 0, 0}, 1);
+    add_group(scene, "pair", std::exchange(scene.shapes, {}));
+    ASSERT_FALSE(add_instance(scene, 0, AffineMap()));
+    EXPECT_EQ(compile(scene).emitters_in_groups, 1u);
+    ASSERT_FALSE(add_instance(scene, 0, AffineMap(), lamp));
+    EXPECT_EQ(compile(scene).emitters_in_groups, 3u);
+    ASSERT_FALSE(add_instance(scene, 0, AffineMap(), dull));
+    EXPECT_EQ(compile(scene).emitters_in_groups, 3u);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "tools/preview/preview.h"
-#include "scene/tone.h"
 
 #include <algorithm>
 #include <thread>
 
+#include "scene/tone.h"
 #include "tools/preview/tev.h"
 #include "tools/preview/web.h"
 
