@@ -12,8 +12,8 @@
 #include "scene/meshes/mesh_builder.h"
 #include "scene/meshes/mtl.h"
 #include "scene/meshes/ply_values.h"
-#include "scene/tone.h"
 #include "scene/textures/texture.h"
+#include "scene/tone.h"
 
 namespace brandung {
 
