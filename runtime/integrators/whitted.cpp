@@ -71,7 +71,7 @@ public:
                       directions_);
             if (pictures_)
                 pictures_->look_up(wave->count, scene_, scene_.texels(), *wave, wave->level.rays, hits_, hit_instances_, points_, pictures_->tints);
-            if (batch.aovs && wave->generation == 0) batch.aovs->record(batch, scene_, *wave, hits_, points_, tints());
+            if (batch.aovs && wave->generation == 0) batch.aovs->record(batch, scene_, *wave, hits_, hit_instances_, points_, tints());
             if (wave->children) spawn(*wave);
             for (uint light = 0; light == 0 || light < light_count_; light += lights_per_block) shade(*wave, light, samples);
             if (observer) show(*wave, *observer);

@@ -55,8 +55,7 @@ Aovs::Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, co
             means_.push_back({kind, scale, Kernel(device, file_of(kind), "record_aov", on_device.lists()), Buffer<vec3>(device, batch),
                               Bands<AovPixel>(device, window, largest)});
         if (kind.what == AovKind::number)
-            numbers_.emplace(Numbers{kind, Kernel(device, "kernels/stages/record_primitives.cl", "record_primitives", on_device.lists()),
-                                     Bands<uint>(device, window, largest)});
+            numbers_.push_back({kind, Kernel(device, file_of(kind), "record_number", on_device.lists()), Bands<uint>(device, window, largest)});
         if (kind.what == AovKind::count) count_ = &kind;
     }
     if (!means_.empty()) add_.emplace(device, "kernels/stages/add_aov.cl", "add_aov", Sources());
@@ -64,14 +63,15 @@ Aovs::Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, co
 
 void Aovs::clear() {
     for (Mean &mean : means_) mean.sums.clear();
-    if (numbers_) numbers_->primitives.clear();
+    for (Number &number : numbers_) number.numbers.clear();
 }
 
-void Aovs::record(const Batch &batch, const DeviceScene &scene, const Wave &wave, const Buffer<Hit> &hits, const Buffer<SurfacePoint> &points,
-                  const Buffer<Tints> &tints) {
+void Aovs::record(const Batch &batch, const DeviceScene &scene, const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances,
+                  const Buffer<SurfacePoint> &points, const Buffer<Tints> &tints) {
     for (Mean &mean : means_) mean.record(wave.count, scene, wave, wave.level.rays, hits, points, tints, mean.values);
-    if (!numbers_) return;
-    for (Band<uint> &band : numbers_->primitives) numbers_->record(wave.count, batch.params, band.params, wave, batch.pixels, hits, band.pixels);
+    for (Number &number : numbers_)
+        for (Band<uint> &band : number.numbers)
+            number.record(wave.count, batch.params, band.params, wave, batch.pixels, hits, instances, band.pixels);
 }
 
 void Aovs::add(const Batch &batch) {
@@ -83,7 +83,10 @@ void Aovs::add(const Batch &batch) {
 std::vector<PictureChannel> Aovs::develop(const Film &film) const {
     std::vector<PictureChannel> channels;
     for (const Mean &mean : means_) add_channels(mean.kind, mean.sums.read(), mean.scale, channels);
-    if (numbers_) channels.push_back({numbers_->kind.channels[0], {}, numbers_->primitives.read()});
+    for (const Number &number : numbers_) {
+        channels.push_back({number.kind.channels[0], {}, number.numbers.read()});
+        for (uint &n : channels.back().numbers) --n;  // from 0 on; the largest for none
+    }
     if (!count_) return channels;
     PictureChannel &counts = channels.emplace_back(PictureChannel{count_->channels[0], {}, {}});
     for (const FilmPixel &pixel : film.read()) counts.numbers.push_back(pixel.counts[0] + pixel.counts[1]);
@@ -91,7 +94,8 @@ std::vector<PictureChannel> Aovs::develop(const Film &film) const {
 }
 
 std::size_t Aovs::bytes() const {
-    std::size_t bytes = numbers_ ? numbers_->primitives.bytes() : 0;
+    std::size_t bytes = 0;
+    for (const Number &number : numbers_) bytes += number.numbers.bytes();
     for (const Mean &mean : means_) bytes += mean.values.bytes() + mean.sums.bytes();
     return bytes;
 }

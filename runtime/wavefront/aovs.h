@@ -25,8 +25,8 @@ public:
     /// Forgets all samples.
     void clear();
     /// Takes note of a wave of camera rays, whose slots are in the order of their list.
-    void record(const Batch &batch, const DeviceScene &scene, const Wave &wave, const Buffer<Hit> &hits, const Buffer<SurfacePoint> &points,
-                const Buffer<Tints> &tints);
+    void record(const Batch &batch, const DeviceScene &scene, const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances,
+                const Buffer<SurfacePoint> &points, const Buffer<Tints> &tints);
     /// Adds what the waves of a batch have recorded.
     void add(const Batch &batch);
     /// In the order of aov_kinds(), channel by channel; counts of samples are the film's.
@@ -43,14 +43,15 @@ private:
         Buffer<vec3> values;  ///< by slot
         Bands<AovPixel> sums;
     };
-    struct Numbers {
+    /// A number of the first sample's hit.
+    struct Number {
         const AovKind &kind;
         Kernel record;
-        Bands<uint> primitives;
+        Bands<uint> numbers;  ///< from 1 on; 0 for none
     };
     std::list<Mean> means_;
     std::optional<Kernel> add_;  ///< for means
-    std::optional<Numbers> numbers_;
+    std::list<Number> numbers_;
     const AovKind *count_ = nullptr;
 };
 

@@ -12,6 +12,7 @@ const std::vector<AovKind> &aov_kinds() {
         {"depth", AovKind::mean, true, {"depth.Z"}, std::numeric_limits<float>::infinity()},
         {"position", AovKind::mean, true, {"P.X", "P.Y", "P.Z"}, 0},
         {"primitive", AovKind::number, false, {"primitive"}, 0},
+        {"instance", AovKind::number, false, {"instance"}, 0},
         {"samples", AovKind::count, false, {"samples"}, 0},
     };
     return kinds;

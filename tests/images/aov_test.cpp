@@ -61,6 +61,7 @@ TEST(Aovs, OfASphereFollowFromItsGeometry) {
             EXPECT_EQ(position, vec3(0));
             EXPECT_EQ(albedo, vec3(0.25f, 1, 0)) << "the background, at most 1";
             EXPECT_EQ(channels.at("primitive").numbers[i], NO_HIT);
+            EXPECT_EQ(channels.at("instance").numbers[i], NO_HIT);
             continue;
         }
         ++hits;
@@ -72,6 +73,53 @@ TEST(Aovs, OfASphereFollowFromItsGeometry) {
     }
     // tan asin(1.5 / sqrt 21) = 0.3464 of half a height of 0.3640: a circle of 0.4755 pixels' height in radius, 25 high.
     EXPECT_NEAR(double(hits), M_PI * std::pow(0.3464 / 0.3640 * 12.5, 2), 25);
+}
+
+AffineMap moved_by(glm::dvec3 way) { return {glm::dmat3(1), way}; }
+
+/// A ball of the world at x = -2, and of a group at 0, 2 and, out of sight behind that, 2 again: who is hit is known by where.
+TEST(Aovs, InstancesAreNumberedInTheirOrderAndTheWorldIsInNone) {
+    Scene scene = camera_at({0, 0, 10}, 48, 16, 1);
+    const uint material = add_material(scene, matte(0.5f));
+    add_sphere(scene, material, {0, 0, 0}, 0.9f);
+    const uint group = add_group(scene, "ball", std::exchange(scene.shapes, {}));
+    add_sphere(scene, material, {-2, 0, 0}, 0.9f);
+    for (const glm::dvec3 way : {glm::dvec3(0, 0, 0), glm::dvec3(2, 0, 0), glm::dvec3(2.2, 0, -1)})
+        ASSERT_FALSE(add_instance(scene, group, moved_by(way)));
+    for (const uint batch : {32768u, 7u}) {
+        const Channels channels = render_aovs(scene, batch);
+        std::map<uint, uint> pixels;
+        for (std::size_t i = 0; i < 48 * 16; ++i) {
+            const uint instance = channels.at("instance").numbers[i], primitive = channels.at("primitive").numbers[i];
+            const float x = channels.at("P.X").floats[i];
+            ++pixels[instance];
+            if (primitive != NO_HIT) {
+                ASSERT_EQ(primitive, x < -1 ? 0u : 1u);
+                ASSERT_EQ(instance, x < -1 ? NO_HIT : x < 1 ? 0u : channels.at("P.Z").floats[i] < -0.5f ? 2u : 1u);
+            } else {
+                ASSERT_EQ(instance, NO_HIT);
+            }
+        }
+        // 16 pixels are 7.3 high: a ball has a radius of 2 of them, and so 12 of them.
+        EXPECT_GE(pixels[0], 9u);
+        EXPECT_GE(pixels[1], 9u);
+        EXPECT_GE(pixels[NO_HIT], 600u);
+    }
+}
+
+TEST(Aovs, OfPixelsThatNoSampleIsOfNumberNothing) {
+    Scene scene = camera_at({0, 0, 4}, 3, 2, 1);
+    for (uint kind = 0; kind < aov_kinds().size(); ++kind) scene.film.aovs.push_back(kind);
+    add_sphere(scene, add_material(scene, matte(0.5f)), {0, 0, 0}, 1);
+    const CompiledScene compiled = compile(scene);
+    const DeviceScene on_device(test_device(), compiled);
+    const Film film(test_device(), scene.film.window());
+    const Aovs aovs(test_device(), scene, compiled, on_device, scene.cameras[0], 64);
+    for (const PictureChannel &channel : aovs.develop(film)) {
+        if (channel.name == "primitive" || channel.name == "instance") {
+            EXPECT_EQ(channel.numbers, std::vector<uint>(6, NO_HIT)) << channel.name;
+        }
+    }
 }
 
 /// From within glass its surface is seen from the side away from its outward normal.

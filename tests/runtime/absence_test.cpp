@@ -167,7 +167,7 @@ TEST(Absence, WhatASceneDoesNotNeedIsNotLaunched) {
     dark.film.spp = 2, dark.film.filter = kind_number(filter_kinds(), "mitchell");
     EXPECT_TRUE(launched_by(dark).contains("weigh_samples"));
     EXPECT_FALSE(opaque.contains("weigh_samples"));
-    for (const char *kernel : {"record_aov", "add_aov", "record_primitives"}) EXPECT_FALSE(opaque.contains(kernel)) << kernel;
+    for (const char *kernel : {"record_aov", "add_aov", "record_number"}) EXPECT_FALSE(opaque.contains(kernel)) << kernel;
 }
 
 TEST(Absence, OtherFiltersAreNotThere) {
