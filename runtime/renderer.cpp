@@ -64,6 +64,31 @@ std::vector<uint> media_of_eye(const Scene &scene, const CompiledScene &compiled
     return entries;
 }
 
+/// Tells observers of a render that begins now.
+class Announcement {
+public:
+    explicit Announcement(const std::vector<Observer> &observers) : observers_(observers), told_(observers.size()) {}
+
+    /// Those whose time has come, and what time it is; false if one of them stops the render.
+    bool tell(RenderProgress &progress) {
+        progress.seconds = seconds();
+        bool goes_on = true;
+        for (std::size_t i = 0; i < observers_.size(); ++i) {
+            if (progress.seconds - told_[i] < observers_[i].seconds) continue;
+            if (!observers_[i].observe(progress)) goes_on = false;
+            told_[i] = seconds();
+        }
+        return goes_on;
+    }
+
+private:
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+    const std::vector<Observer> &observers_;
+    std::vector<double> told_;  ///< when the calls ended
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 }  // namespace
 
 Camera make_camera(const CameraDescription &description, uint width, uint height) {
@@ -94,10 +119,10 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
 
 std::size_t Renderer::wave_bytes() const { return integrator_->wave_bytes() + filter_.bytes() + pixels_.bytes() + samples_.bytes(); }
 
-RenderEnd Renderer::render(Film &film, const Observer &observer, Aovs *aovs) {
+RenderEnd Renderer::render(Film &film, const std::vector<Observer> &observers, Aovs *aovs) {
     RenderProgress progress{0, film.window().pixels() * film_settings_.spp, 0};
     try {
-        const bool complete = render_batches(film, progress, observer, aovs);
+        const bool complete = render_batches(film, progress, observers, aovs);
         return {complete, "", progress.samples_done, progress.samples_total};
     } catch (const Error &error) {
         if (progress.samples_done == 0) throw;
@@ -106,10 +131,8 @@ RenderEnd Renderer::render(Film &film, const Observer &observer, Aovs *aovs) {
 }
 
 /// False if stopped before the end.
-bool Renderer::render_batches(Film &film, RenderProgress &progress, const Observer &observer, Aovs *aovs) {
-    const auto start = std::chrono::steady_clock::now();
-    const auto seconds = [start] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
-    double observed = 0;
+bool Renderer::render_batches(Film &film, RenderProgress &progress, const std::vector<Observer> &observers, Aovs *aovs) {
+    Announcement announcement(observers);
     const uint spp = film_settings_.spp;
     for (uint first = 0; first < spp; first += samples_per_batch_) {
         PixelOrder order(film.window());
@@ -117,11 +140,7 @@ bool Renderer::render_batches(Film &film, RenderProgress &progress, const Observ
             const uint samples = std::min(samples_per_batch_, spp - first);
             render_batch(film, pixels, first, samples, aovs, nullptr);
             progress.samples_done += pixels.size() * samples;
-            progress.seconds = seconds();
-            if (options_.on_progress && !options_.on_progress(progress)) return progress.samples_done == progress.samples_total;
-            if (!observer.observe || progress.seconds - observed < observer.seconds || progress.samples_done == progress.samples_total) continue;
-            observer.observe(progress);
-            observed = seconds();
+            if (!announcement.tell(progress)) return progress.samples_done == progress.samples_total;
         }
     }
     return true;

@@ -15,15 +15,13 @@ struct RenderProgress {
 
 struct RenderOptions {
     uint batch = 32768;  ///< rays per wave
-    /// Called after every batch; false stops the render.
-    std::function<bool(const RenderProgress &)> on_progress;
     WatchSteps on_step;  ///< of the integrator's loop
 };
 
-/// Looks at the film of a render under way, between two batches.
+/// Is told of a render under way after its batches, and may look at the film.
 struct Observer {
-    double seconds = 0;  ///< that pass at least from the beginning, or from the end of one call, to the next call
-    std::function<void(const RenderProgress &)> observe;
+    double seconds = 0;  ///< that pass at least from the beginning, or from the end of one call, to the next call; 0: after every batch
+    std::function<bool(const RenderProgress &)> observe;  ///< false stops the render, once all have been told
 };
 
 /// How a render ended; the film has the samples of whole batches.
@@ -43,8 +41,8 @@ public:
     Renderer(Device &device, const Scene &scene, const CompiledScene &compiled, const DeviceScene &on_device, const CameraDescription &camera,
              RenderOptions options);
     /// Renders all samples into the film, and what they hit first into `aovs` if given. Throws Error if the first batch fails; if a later one does,
-    /// what there is so far is kept. What the observer throws ends it.
-    RenderEnd render(Film &film, const Observer &observer = {}, Aovs *aovs = nullptr);
+    /// what there is so far is kept, as it is where an observer throws.
+    RenderEnd render(Film &film, const std::vector<Observer> &observers = {}, Aovs *aovs = nullptr);
 
     /// Renders samples first ... first + samples of one pixel, at most as many as rays in a wave, into the film, and gives what was added to
     /// it. Shows the waves to `observer` if there is one.
@@ -59,7 +57,7 @@ public:
     std::size_t wave_bytes() const;
 
 private:
-    bool render_batches(Film &film, RenderProgress &progress, const Observer &observer, Aovs *aovs);
+    bool render_batches(Film &film, RenderProgress &progress, const std::vector<Observer> &observers, Aovs *aovs);
     void render_batch(Film &film, const std::vector<uint> &pixels, uint first, uint samples, Aovs *aovs, WaveObserver *observer);
 
     Device &device_;

@@ -14,7 +14,7 @@ struct Options : SceneOptions {
 
 nlohmann::json describe(const Options &options) {
     const Scene scene = read_scene(options);
-    const Job job(scene, options, nullptr, nullptr);
+    const Job job(scene, options, nullptr);
     return {{"file", scene.file},
             {"scene", scene_contents(scene, job.compiled)},
             {"device", job.device.info().name},

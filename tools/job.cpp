@@ -15,8 +15,7 @@ Device select_device(const SceneOptions &options, std::function<void(const std::
 
 double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-Job::Job(const Scene &scene, const SceneOptions &options, std::function<bool(const RenderProgress &)> on_progress,
-         std::function<void(const std::string &)> on_build, WatchSteps on_step)
+Job::Job(const Scene &scene, const SceneOptions &options, std::function<void(const std::string &)> on_build, WatchSteps on_step)
     : scene(scene),
       camera(chosen_camera(scene, options.camera)),
       compiled(timed(seconds.scene, [&] { return compile(scene); })),
@@ -30,7 +29,7 @@ Job::Job(const Scene &scene, const SceneOptions &options, std::function<bool(con
                      return aovs;
                  })),
       renderer(timed(seconds.kernels, [&] {
-          return Renderer(device, scene, compiled, on_device, camera, {options.batch, std::move(on_progress), std::move(on_step)});
+          return Renderer(device, scene, compiled, on_device, camera, {options.batch, std::move(on_step)});
       })) {
     seconds.accelerator = compiled.accelerator_seconds;
     seconds.scene -= seconds.accelerator;

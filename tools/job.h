@@ -34,8 +34,7 @@ template <class Phase> auto timed(double &seconds, Phase phase) {
 
 struct Job {
     /// `scene` must live as long. `on_build` is called with a kernel file's name before it is built. Throws SceneError and Error.
-    Job(const Scene &scene, const SceneOptions &options, std::function<bool(const RenderProgress &)> on_progress,
-        std::function<void(const std::string &)> on_build, WatchSteps on_step = {});
+    Job(const Scene &scene, const SceneOptions &options, std::function<void(const std::string &)> on_build, WatchSteps on_step = {});
     /// Of scene, film and waves, at most.
     std::size_t bytes() const { return on_device.bytes() + on_device.texture_bytes() + film_bytes() + renderer.wave_bytes(); }
     /// Of radiance and AOVs.

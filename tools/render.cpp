@@ -123,10 +123,10 @@ void print_notes(const Scene &scene) {
     for (const std::string &note : scene.notes) fmt::print(stderr, "{}\n", note);
 }
 
-/// Writes the pictures so far now and then; where that fails the render goes on.
-Observer saving(const Options &options, const OutputOptions &outputs, Job &job, PhaseSeconds seconds, ProgressLine &progress) {
-    if (!options.save_every) return {};
-    return {*options.save_every, [&, outputs, seconds](const RenderProgress &done) mutable {
+/// Writes the pictures so far now and then, but not the last, which are written anyway; where that fails the render goes on.
+Observer saving(double every, const OutputOptions &outputs, Job &job, PhaseSeconds seconds, ProgressLine &progress) {
+    return {every, [&, outputs, seconds](const RenderProgress &done) mutable {
+                if (done.samples_done == done.samples_total) return true;
                 seconds.render = done.seconds;
                 try {
                     write_outputs(outputs, job, seconds, {false, "", done.samples_done, done.samples_total}, true);
@@ -134,6 +134,7 @@ Observer saving(const Options &options, const OutputOptions &outputs, Job &job, 
                     progress.clear();
                     fmt::print(stderr, "warning: {}\n", error.what());
                 }
+                return true;
             }};
 }
 
@@ -150,19 +151,36 @@ void print_losses(const Job &job) {
 class Sequence {
 public:
     explicit Sequence(uint pictures) : pictures_(pictures) {}
-    RenderProgress whole(const RenderProgress &of_picture) {
-        samples_ = of_picture.samples_total;
-        return {done_ * samples_ + of_picture.samples_done, pictures_ * samples_, seconds_now() - start_};
+    RenderProgress whole(const RenderProgress &of_picture) const {
+        const std::uint64_t samples = of_picture.samples_total;
+        return {done_ * samples + of_picture.samples_done, pictures_ * samples, seconds_now() - start_};
     }
     void begin_next() { ++done_; }
 
 private:
-    std::uint64_t pictures_, done_ = 0, samples_ = 0;
+    std::uint64_t pictures_, done_ = 0;
     double start_ = seconds_now();
 };
 
+/// Who is told of every picture alike.
+std::vector<Observer> observers_of_all(const Sequence &sequence, Job &job, Preview &preview, ProgressLine &progress) {
+    std::vector<Observer> observers = {{0, [&](const RenderProgress &of_picture) {
+                                            progress.show(sequence.whole(of_picture));
+                                            return !interrupted;
+                                        }}};
+    if (preview.active())
+        observers.push_back({0, [&](const RenderProgress &of_picture) {
+                                 preview.after_batch(sequence.whole(of_picture), job);
+                                 print_faults(preview, progress);
+                                 return true;
+                             }});
+    return observers;
+}
+
 /// Renders and writes the pictures one after another, each from a camera turned further. Gives the end of them all, and the exposure of the last.
-std::pair<RenderEnd, float> render_pictures(const Options &options, Job &job, PhaseSeconds &seconds, Sequence &sequence, ProgressLine &progress) {
+std::pair<RenderEnd, float> render_pictures(const Options &options, Job &job, PhaseSeconds &seconds, Preview &preview, ProgressLine &progress) {
+    Sequence sequence(options.pictures());
+    const std::vector<Observer> of_all = observers_of_all(sequence, job, preview, progress);
     RenderEnd all{.complete = true, .failure = "", .samples_done = 0, .samples_total = 0};
     float exposure = 0;
     double write_seconds = 0;
@@ -174,8 +192,9 @@ std::pair<RenderEnd, float> render_pictures(const Options &options, Job &job, Ph
             if (job.aovs) job.aovs->clear();
             sequence.begin_next();
         }
-        const Observer save = saving(options, outputs, job, seconds, progress);
-        const RenderEnd end = timed(seconds.render, [&] { return job.renderer.render(job.film, save, job.aovs ? &*job.aovs : nullptr); });
+        std::vector<Observer> observers = of_all;
+        if (options.save_every) observers.push_back(saving(*options.save_every, outputs, job, seconds, progress));
+        const RenderEnd end = timed(seconds.render, [&] { return job.renderer.render(job.film, observers, job.aovs ? &*job.aovs : nullptr); });
         progress.clear();
         exposure = timed(write_seconds, [&] { return write_outputs(outputs, job, seconds, end, false); });
         all = {end.complete, end.failure, all.samples_done + end.samples_done, options.pictures() * end.samples_total};
@@ -201,19 +220,9 @@ int render(const Options &options) {
     for (const std::string &url : preview.urls()) fmt::print(stderr, "preview: {}\n", url);
 
     const auto say = [&](const std::string &what) { progress.say(what), preview.say(what); };
-    Job *rendering = nullptr;
-    Sequence sequence(options.pictures());
-    const auto on_progress = [&](const RenderProgress &of_picture) {
-        const RenderProgress done = sequence.whole(of_picture);
-        progress.show(done);
-        preview.after_batch(done, *rendering);
-        print_faults(preview, progress);
-        return !interrupted;
-    };
     const WatchSteps on_step = preview.active() ? [&](const WaveStep &step) { preview.add_step(step); } : WatchSteps();
     Job job(
-        scene, options, on_progress, [&](const std::string &file) { say("building " + file); }, on_step);
-    rendering = &job;
+        scene, options, [&](const std::string &file) { say("building " + file); }, on_step);
     preview.begin(job);
     progress.clear();
     print_warnings(job.compiled.warnings);
@@ -227,7 +236,7 @@ int render(const Options &options) {
 
     PhaseSeconds seconds = job.seconds;
     seconds.read = read_seconds;
-    const std::pair<RenderEnd, float> rendered = render_pictures(options, job, seconds, sequence, progress);
+    const std::pair<RenderEnd, float> rendered = render_pictures(options, job, seconds, preview, progress);
     const RenderEnd &end = rendered.first;
     preview.finish(end, job);
     seconds.total = seconds_now() - start;

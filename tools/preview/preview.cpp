@@ -62,7 +62,6 @@ void Preview::begin(const Job &job) {
 }
 
 void Preview::after_batch(const RenderProgress &progress, Job &job) {
-    if (!active()) return;
     pace_.add(progress);
     state_.progress = progress;
     const double now = seconds_now();

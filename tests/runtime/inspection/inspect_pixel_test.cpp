@@ -20,7 +20,7 @@ InspectedPixel inspect(const Scene &scene, uint x, uint y, SampleRange kept, uin
     const CompiledScene compiled = compile(scene);
     const DeviceScene on_device(device, compiled);
     Film film(device, scene.film.window());
-    Renderer renderer(device, scene, compiled, on_device, scene.cameras.at(0), {batch, nullptr, {}});
+    Renderer renderer(device, scene, compiled, on_device, scene.cameras.at(0), {batch, {}});
     return inspect_pixel({device, on_device, renderer, film, scene.film.spp, batch}, x, y, kept);
 }
 

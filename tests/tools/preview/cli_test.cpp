@@ -4,6 +4,7 @@
 #include <httplib.h>
 
 #include <csignal>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/tools/preview/tev_reader.h"
@@ -45,7 +46,7 @@ TEST_F(PreviewOptions, TevHasWhatTheFileHasAndTheFileWhatItHasWithoutPreview) {
     ASSERT_EQ(run({}).status, 0);
     const std::vector<float> without = floats_of(out_);
     TevReader reader;
-    const Finished finished = run({"--preview", reader.target(), "--batch", "4096"});
+    const Finished finished = run({"--preview", reader.target(), "--batch", "4096", "--save-every", "0.001"});
     EXPECT_EQ(finished.status, 0);
     EXPECT_EQ(finished.err, "");
     const TevPicture picture = reader.finish();
@@ -53,6 +54,26 @@ TEST_F(PreviewOptions, TevHasWhatTheFileHasAndTheFileWhatItHasWithoutPreview) {
     EXPECT_EQ(picture.name, out_);
     EXPECT_EQ(picture.values, without);
     EXPECT_EQ(floats_of(out_), without);
+}
+
+/// A render that takes hours, until the page has shown it and the file has been saved.
+TEST_F(PreviewOptions, ThePageIsServedWhilePicturesAreSaved) {
+    bool saved = false, shown = false;
+    const auto look = [&](const std::string &err) {
+        const int port = port_said(err);
+        if (port == 0) return 0;
+        httplib::Client client("127.0.0.1", port);
+        const json state = json::parse(client.Get("/state.json")->body);
+        shown |= state.at("phase") == "rendering" && state.at("samples_done") > 0 && client.Get("/picture.png")->status == 200;
+        saved |= std::filesystem::exists(out_);
+        return saved && shown ? SIGINT : 0;
+    };
+    const Finished finished =
+        run({"--preview", "web:0", "--save-every", "0.1", "--spp", "1000000", "--batch", "4096"}, {.seconds = 100, .signal_when = look});
+    EXPECT_EQ(finished.status, 130) << finished.err;
+    EXPECT_TRUE(saved);
+    EXPECT_TRUE(shown);
+    EXPECT_FALSE(floats_of(out_).empty());
 }
 
 TEST_F(PreviewOptions, AViewerThatVanishesIsWarnedOfOnce) {
