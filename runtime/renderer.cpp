@@ -157,7 +157,7 @@ void Renderer::render_batch(Film &film, const std::vector<uint> &pixels, uint fi
     integrator_->render(batch, samples_, observer);
     filter_.weigh(batch, samples_);
     film.add(batch, samples_);
-    if (aovs) aovs->add(batch);
+    if (aovs) aovs->add(batch, filter_);
     device_.finish();
 }
 

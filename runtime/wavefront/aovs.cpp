@@ -7,10 +7,10 @@
 namespace brandung {
 namespace {
 
+bool is_mean(const AovKind &kind) { return kind.what == AovKind::filtered || kind.what == AovKind::length; }
+
 /// Bytes of a pixel on the device.
-std::size_t pixel_bytes(const AovKind &kind) {
-    return kind.what == AovKind::mean ? sizeof(AovPixel) : kind.what == AovKind::number ? sizeof(uint) : 0;
-}
+std::size_t pixel_bytes(const AovKind &kind) { return is_mean(kind) ? sizeof(AovPixel) : kind.what == AovKind::number ? sizeof(uint) : 0; }
 
 void check_memory(const Device &device, const FilmSettings &film) {
     std::size_t bytes = 0;
@@ -50,8 +50,8 @@ Aovs::Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, co
     const std::size_t largest = std::min<std::size_t>(largest_band, device.info().largest_allocation);
     for (const uint number : scene.film.aovs) {
         const AovKind &kind = aov_kinds()[number];
-        const float scale = kind.length ? scale_of_lengths(compiled, camera) : scale_of_units;
-        if (kind.what == AovKind::mean)
+        const float scale = kind.what == AovKind::length ? scale_of_lengths(compiled, camera) : scale_of_units;
+        if (is_mean(kind))
             means_.push_back({kind, scale, Kernel(device, file_of(kind), "record_aov", on_device.lists()), Buffer<vec3>(device, batch),
                               Bands<AovPixel>(device, window, largest)});
         if (kind.what == AovKind::number)
@@ -74,10 +74,12 @@ void Aovs::record(const Batch &batch, const DeviceScene &scene, const Wave &wave
             number.record(wave.count, batch.params, band.params, wave, batch.pixels, hits, instances, band.pixels);
 }
 
-void Aovs::add(const Batch &batch) {
-    for (Mean &mean : means_)
+void Aovs::add(const Batch &batch, Filter &filter) {
+    for (Mean &mean : means_) {
+        if (mean.kind.what == AovKind::filtered) filter.weigh(batch, mean.values);
         for (Band<AovPixel> &band : mean.sums)
             (*add_)(batch.params.pixels, batch.params, band.params, mean.scale, batch.pixels, mean.values, band.pixels);
+    }
 }
 
 std::vector<PictureChannel> Aovs::develop(const Film &film) const {

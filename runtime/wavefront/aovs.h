@@ -9,6 +9,7 @@
 #include "runtime/wavefront/batch.h"
 #include "runtime/wavefront/device_scene.h"
 #include "runtime/wavefront/film.h"
+#include "runtime/wavefront/filter.h"
 #include "runtime/wavefront/levels.h"
 #include "scene/aovs/aov.h"
 #include "scene/image.h"
@@ -28,7 +29,7 @@ public:
     void record(const Batch &batch, const DeviceScene &scene, const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances,
                 const Buffer<SurfacePoint> &points, const Buffer<Tints> &tints);
     /// Adds what the waves of a batch have recorded.
-    void add(const Batch &batch);
+    void add(const Batch &batch, Filter &filter);
     /// In the order of aov_kinds(), channel by channel; counts of samples are the film's.
     std::vector<PictureChannel> develop(const Film &film) const;
 

@@ -1,5 +1,9 @@
 #include "runtime/wavefront/filter.h"
 
+#include <algorithm>
+
+#include "scene/aovs/aov.h"
+
 namespace brandung {
 namespace {
 
@@ -13,16 +17,26 @@ std::vector<float> table_or_nothing(const FilterKind &kind, float radius) {
 /// A single sample in the middle of its pixel is not drawn from the filter.
 bool is_drawn(const FilmSettings &film) { return film.spp > 1 || film.pixel == PIXEL_RANDOM; }
 
+bool has_filtered_aovs(const FilmSettings &film) {
+    return std::any_of(film.aovs.begin(), film.aovs.end(), [](uint kind) { return aov_kinds()[kind].what == AovKind::filtered; });
+}
+
 }  // namespace
 
 Filter::Filter(Device &device, const FilmSettings &film, const Sources &lists)
     : params_(filter_params(filter_kinds()[film.filter], film.filter_radius)),
       table_(device, table_or_nothing(filter_kinds()[film.filter], film.filter_radius)) {
-    if (params_.negative_tail > 0 && is_drawn(film)) weigh_.emplace(device, "kernels/stages/weigh_samples.cl", "weigh_samples", lists);
+    if (!(params_.negative_tail > 0 && is_drawn(film))) return;
+    weigh_.emplace(device, "kernels/stages/weigh_samples.cl", "weigh_samples", lists);
+    if (has_filtered_aovs(film)) weigh_values_.emplace(device, "kernels/stages/weigh_values.cl", "weigh_values", lists);
 }
 
 void Filter::weigh(const Batch &batch, Buffer<Sample> &samples) {
     if (weigh_) (*weigh_)(batch.count(), batch.params, params_, batch.pixels, batch.count(), samples);
+}
+
+void Filter::weigh(const Batch &batch, Buffer<vec3> &values) {
+    if (weigh_values_) (*weigh_values_)(batch.count(), batch.params, params_, batch.pixels, batch.count(), values);
 }
 
 }  // namespace brandung

@@ -17,6 +17,8 @@ public:
 
     /// Multiplies the batch's samples by their weights, if some are negative; the others are all 1.
     void weigh(const Batch &batch, Buffer<Sample> &samples);
+    /// The same of other values of the samples, for AOVs of the film that are filtered.
+    void weigh(const Batch &batch, Buffer<vec3> &values);
     bool has_weights() const { return weigh_.has_value(); }
 
     template <class Bind> void for_each_argument(Bind bind) const { bind(params_), bind(table_); }
@@ -25,7 +27,7 @@ public:
 private:
     FilterParams params_;
     Buffer<float> table_;
-    std::optional<Kernel> weigh_;
+    std::optional<Kernel> weigh_, weigh_values_;
 };
 
 }  // namespace brandung

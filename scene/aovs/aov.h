@@ -9,11 +9,11 @@ namespace brandung {
 
 struct AovKind {
     const char *name;
-    /// `mean`: of a value that `kernels/aovs/<name>.cl` records of every sample's first hit. `number`: of what
-    /// the first sample hits, as `kernels/aovs/<name>.cl` has it. `count`: of samples.
-    enum { mean, number, count } what;
-    bool length;                        ///< a mean is in world units; else its components are within [-1, 1]
-    std::vector<std::string> channels;  ///< at most 3 for means
+    /// `kernels/aovs/<name>.cl` records values or numbers of first hits. `filtered`: the mean of all samples, weighed as their radiance is, of a
+    /// value within [-1, 1]. `length`: the mean of those samples that hit something, of a value in world units; all count the same, so that it lies
+    /// between theirs where a filter is negative too. `number`: of what the first sample hits. `count`: of samples.
+    enum { filtered, length, number, count } what;
+    std::vector<std::string> channels;  ///< at most 3 of values
     float nothing;                      ///< the mean where no sample has a value
 };
 const std::vector<AovKind> &aov_kinds();

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/bsdfs/bsdf.h"
+#include "tests/support/filters.h"
 #include "tests/support/probe.h"
 #include "tests/support/rendering.h"
 #include "tests/support/scenes.h"
@@ -185,6 +186,49 @@ TEST(Aovs, DepthAndPositionAreMeansOfHitsNormalAndAlbedoOfAllSamples) {
     EXPECT_EQ(channels.at("N.Z").floats[0], 1);
     EXPECT_EQ(channels.at("N.Z").floats[2], 0);
     EXPECT_TRUE(std::isinf(channels.at("depth.Z").floats[2]));
+}
+
+/// What shines and does nothing else has its emission as albedo: that picture and the radiance are one, through every filter. Where mitchell is
+/// negative both are, next to the bright triangle's edge.
+TEST(Aovs, AreFilteredAsRadianceIs) {
+    for (const std::string &filter : filter_names()) {
+        Scene scene = camera_at({0, 0, 4}, 12, 8, 9);
+        scene.film.filter = filter_number(filter), scene.film.filter_radius = filter_kinds()[scene.film.filter].radius;
+        scene.background = {0, 0.25f, 0};
+        Material lamp = make_material(Whitted{.exponent = 1});
+        lamp.emission = {0.75f, 0.5f, 1};
+        add_triangle(scene, add_material(scene, lamp), {0.1f, -50, 0}, {0.2f, 50, 0}, {-50, 0, 0});
+        const std::vector<vec3> picture = render_scene(scene).picture;
+        const Channels channels = render_aovs(scene);
+        float darkest = 0;
+        for (std::size_t i = 0; i < 12 * 8; ++i) {
+            const vec3 albedo = at(channels, i, "albedo.R", "albedo.G", "albedo.B");
+            // Rounded once more per sample, by half an ulp of at most 1.3: its weight, and then its value; and both means by their division.
+            for (int c = 0; c < 3; ++c) ASSERT_NEAR(albedo[c], picture[i][c], 4 * 0x1p-24f) << filter;
+            darkest = std::min(darkest, albedo.x);
+        }
+        EXPECT_EQ(darkest < 0, filter == "mitchell") << filter;
+        if (filter == "mitchell") expect_equal(channels, render_aovs(scene, 7));
+    }
+}
+
+/// A wall at z = 0 before one at -100, which is seen beside it: signed weights would take means of both far beyond both.
+TEST(Aovs, LengthsLieBetweenThoseOfHits) {
+    Scene scene = camera_at({0, 0, 4}, 12, 8, 9);
+    scene.film.filter = filter_number("mitchell"), scene.film.filter_radius = filter_kinds()[scene.film.filter].radius;
+    const uint wall = add_material(scene, matte(0.5f));
+    add_triangle(scene, wall, {0.1f, -50, 0}, {0.2f, 50, 0}, {-50, 0, 0});
+    add_triangle(scene, wall, {-1000, -1000, -100}, {1000, -1000, -100}, {0, 2000, -100});
+    const Channels channels = render_aovs(scene);
+    uint mixed = 0;
+    for (std::size_t i = 0; i < 12 * 8; ++i) {
+        const float z = channels.at("P.Z").floats[i], depth = channels.at("depth.Z").floats[i];
+        ASSERT_LE(z, 1e-6f) << "at most rounding of t, which is 4";
+        ASSERT_GE(z, -100.001f);
+        ASSERT_GE(depth, 4);
+        mixed += z < -1 && z > -99;
+    }
+    EXPECT_GT(mixed, 8u);
 }
 
 }  // namespace

@@ -165,8 +165,10 @@ TEST(Absence, WhatASceneDoesNotNeedIsNotLaunched) {
     EXPECT_FALSE(opaque.contains("filter_shadow_rays"));
     EXPECT_TRUE(shiny.contains("spawn_whitted"));
     dark.film.spp = 2, dark.film.filter = kind_number(filter_kinds(), "mitchell");
-    EXPECT_TRUE(launched_by(dark).contains("weigh_samples"));
+    const auto weighed = launched_by(dark);
+    EXPECT_TRUE(weighed.contains("weigh_samples"));
     EXPECT_FALSE(opaque.contains("weigh_samples"));
+    EXPECT_FALSE(weighed.contains("weigh_values"));
     for (const char *kernel : {"record_aov", "add_aov", "record_number"}) EXPECT_FALSE(opaque.contains(kernel)) << kernel;
 }
 
