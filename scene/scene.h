@@ -87,6 +87,7 @@ struct Scene {
     std::string accelerator = "auto";
     std::map<std::string, uint> warnings;  ///< text -> how often
     std::vector<std::string> notes;        ///< what was chosen where the file says nothing, a line each
+    std::optional<ShapePlaces> places;     ///< only if who reads the scene asks for them
 };
 
 }  // namespace brandung

@@ -66,6 +66,7 @@ nlohmann::json inspect(const Options &options) {
 void add_inspect(CLI::App &app, int &) {
     CLI::App *command = app.add_subcommand("inspect", "show one pixel's tree of rays: hits, weights, contributions, in decimal and hexadecimal");
     auto options = std::make_shared<Options>();
+    options->keep_places = true;
     add_scene_options(*command, *options);
     command->add_option("PIXEL", options->place, "X,Y: the pixel, from 0,0 at the top left")->required();
     command->add_option("--sample,--samples", options->sample, "number of the sample to show, from 0 on, or 'all'")->capture_default_str();

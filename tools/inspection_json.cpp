@@ -58,12 +58,20 @@ private:
         return result;
     }
 
+    json faces(const std::vector<PassedFace> &passed) {
+        json list = json::array();
+        for (const PassedFace &face : passed) {
+            json one = hit(face.hit, face.instance);
+            one.update({{"point", vector(face.p)}, {"side", face.enters != 0 ? "enters" : "leaves"}, {"transmission", vector(face.transmission)}});
+            list.push_back(one);
+        }
+        return list;
+    }
+
     /// What is left behind where a ray passes faces that are no interfaces.
     json passed(const TracedRay &ray) {
         if (!ray.passed_faces()) return nullptr;
-        return {{"from", vector(ray.begun.origin)},
-                {"first", hit(ray.closest, ray.closest_instance)},
-                {"last", objects_.primitive(RAY_SOURCE(ray.ray.tag), ray.source_instance)}};
+        return {{"from", vector(ray.begun.origin)}, {"faces", faces(ray.passed)}};
     }
 
     json surface(const TracedRay &ray) const {
@@ -115,10 +123,11 @@ private:
                        {"direction", vector(light.ray.direction)},
                        {"t_max", number(light.ray.t_max)},
                        {"asked", light.asked},
-                       {"why_not", why_not_asked(ray, light)},
+                       {"why_not", why_not_asked(light)},
                        {"visible", light.visible},
                        {"blocker", light.asked && !light.visible ? hit(light.blocker, light.blocker_instance) : json(nullptr)},
-                       {"filter", light.filter ? vector(*light.filter) : json(nullptr)},
+                       {"passed", faces(light.passed)},
+                       {"filter", light.visible && light.filter ? vector(*light.filter) : json(nullptr)},
                        {"radiance", vector(light.radiance)},
                        {"contribution", vector(counts ? light.radiance * ray.path.throughput : Spectrum(0))}});
         return result;

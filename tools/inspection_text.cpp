@@ -39,8 +39,9 @@ std::string primitive(const json &p) {
     const json &instance = p["instance"];
     const std::string placed = instance.is_null() ? "" : "; in instance " + text_of(instance["number"]);
     const std::string place = instance.is_null() || instance["place"].is_null() ? "" : ", " + text_of(instance["place"]);
-    return fmt::format("primitive {}, \"{}\": {} {} of {}{}{}", text_of(p["primitive"]), text_of(p["material"]), text_of(p["kind"]),
-                       text_of(p["primitive_of_shape"]), shape(p), placed, place);
+    const std::string source = p["source"].is_null() ? "" : ", " + text_of(p["source"]);
+    return fmt::format("primitive {}, \"{}\": {} {} of {}{}{}{}", text_of(p["primitive"]), text_of(p["material"]), text_of(p["kind"]),
+                       text_of(p["primitive_of_shape"]), shape(p), source, placed, place);
 }
 
 /// Lines of a tree.
@@ -103,10 +104,12 @@ std::string media(const json &list) {
     return text.empty() ? "none" : text;
 }
 
+std::string faces(const json &list) { return fmt::format("{} face{}", list.size(), list.size() == 1 ? "" : "s"); }
+
 void write_passed(Lines &lines, const json &passed) {
     lines.field("spawned at", floats(passed["from"]));
-    lines.field("  passes first", primitive(passed["first"]) + ": no interface, the medium that counts stays");
-    lines.field("  passes last", primitive(passed["last"]));
+    lines.field("  passes", faces(passed["faces"]) + " that are no interfaces: the medium that counts stays");
+    for (const json &face : passed["faces"]) lines.field("  " + text_of(face["side"]), fmt::format("{}; t {}", primitive(face), floats(face["t"])));
 }
 
 void write_hit(Lines &lines, const json &ray) {
@@ -125,8 +128,9 @@ void write_hit(Lines &lines, const json &ray) {
 
 std::string light_state(const json &light) {
     if (!light["asked"]) return "not asked: " + text_of(light["why_not"]);
-    if (light["visible"]) return "visible; adds " + floats(light["contribution"]);
-    return light["blocker"].is_null() ? "hidden" : "hidden by " + primitive(light["blocker"]);
+    const std::string through = light["passed"].empty() ? "" : " through " + faces(light["passed"]);
+    if (light["visible"]) return fmt::format("visible{}; adds {}", through, floats(light["contribution"]));
+    return light["blocker"].is_null() ? "hidden" + through : fmt::format("hidden{} by {}", through, primitive(light["blocker"]));
 }
 
 void write_light(Lines &lines, const json &light) {
@@ -143,6 +147,9 @@ void write_light(Lines &lines, const json &light) {
     lines.field("  direction", floats(light["direction"]));
     lines.field("  t_max", floats(light["t_max"]));
     if (!light["blocker"].is_null()) lines.field("  t of what hides", floats(light["blocker"]["t"]));
+    for (const json &face : light["passed"])
+        lines.field("  " + text_of(face["side"]),
+                    fmt::format("{}; t {}; lets through {}", primitive(face), floats(face["t"]), floats(face["transmission"])));
     if (!light["filter"].is_null()) lines.field("  filter", floats(light["filter"]));
     lines.field(light["visible"] ? "  radiance" : "  hidden radiance", floats(light["radiance"]));
 }

@@ -38,6 +38,13 @@ json SceneObjects::place(std::optional<uint> group, uint object) {
     return place_in_file((group ? fmt::format("/groups/{}", *group) : "") + fmt::format("/objects/{}", object));
 }
 
+/// Of files of meshes and NFF; null for what a native scene file says itself.
+json SceneObjects::source(const Shape &shape, uint primitive) const {
+    if (!scene_.places) return nullptr;
+    const auto known = scene_.places->find(&shape);
+    return known == scene_.places->end() ? json(nullptr) : json(fmt::format("{}{}", known->second.before, known->second.numbers.at(primitive)));
+}
+
 json SceneObjects::shape(const Placed &placed) {
     const Shape &shape = *placed.shape;
     return {{"kind", shape.kind().name},
@@ -61,6 +68,7 @@ json SceneObjects::primitive(uint number, uint instance_number) {
     json result = shape(placed);
     result["primitive"] = number;
     result["primitive_of_shape"] = number - placed.first;
+    result["source"] = source(*placed.shape, number - placed.first);
     result["instance"] = instance(instance_number);
     const uint material = instance_number == 0 ? NO_MATERIAL : scene_.instances[instance_number - 1].material;
     if (material != NO_MATERIAL) result["material"] = scene_.materials[material].name;

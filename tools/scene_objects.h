@@ -33,6 +33,7 @@ private:
     nlohmann::json shape(const Placed &placed);
     nlohmann::json instance(uint number);
     nlohmann::json place(std::optional<uint> group, uint object);
+    nlohmann::json source(const Shape &shape, uint primitive) const;
     std::string place_in_file(const std::string &pointer);
 
     const Scene &scene_;

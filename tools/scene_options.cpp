@@ -148,7 +148,7 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
 }
 
 Scene read_scene(const SceneOptions &options, const ReadProgress &progress) {
-    return read_scene(options.scene, {assignments(options), view_changes(options), progress});
+    return read_scene(options.scene, {assignments(options), view_changes(options), progress, options.keep_places});
 }
 
 const CameraDescription &chosen_camera(const Scene &scene, const std::string &name) {

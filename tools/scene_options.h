@@ -17,6 +17,7 @@ struct SceneOptions {
     std::vector<std::string> settings;  ///< "KEY=VALUE"
     std::optional<uint> spp, seed, max_depth, light_samples;
     uint batch = 32768, threads = 0;
+    bool keep_places = false;  ///< of shapes in their files; no option
 };
 
 /// `options` must live until the command has run.

@@ -97,11 +97,9 @@ kernel void spawn_shadow_rays(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint 
     FOR_EACH_ITEM(i, count) {
         const SurfacePoint surface = load(points + i);
         const LightSample sample = light_sample(scene, light, surface.origin, paths[list[i]].branch);
-        const bool faces = dot3(surface.normal, sample.direction) > 0.0f;
         const bool leaves = !SHADING_NORMALS || dot3(load(interfaces + i).geometric, sample.direction) > 0.0f;
-        const bool lit = (surface.flags & SURFACE_LIT) != 0u;
         row_rays[i] = ray_to_light(surface.origin, sample.direction, sample.distance, leaves ? SURFACE_PRIMITIVE(surface.flags) : NO_HIT);
-        row_alive[i] = lit && faces && largest(sample.irradiance) > 0.0f;
+        row_alive[i] = light_refusals(surface, sample) == 0u;
     }
 }
 

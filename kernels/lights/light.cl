@@ -20,3 +20,10 @@ FUNCTION LightSample light_sample(Scene scene, Light light, vec3 p, uint branch)
 #undef CASE
     return sample;
 }
+
+/// All that speaks against asking whether the light is visible: LIGHT_...; 0 where it may add something.
+FUNCTION uint light_refusals(SurfacePoint surface, LightSample sample) {
+    const uint shown = (surface.flags & SURFACE_LIT) != 0u ? 0u : LIGHT_NOT_SHOWN;
+    const uint faces = dot3(surface.normal, sample.direction) > 0.0f ? 0u : LIGHT_BEHIND;
+    return shown | faces | (largest(sample.irradiance) > 0.0f ? 0u : LIGHT_SENDS_NOTHING);
+}

@@ -2,6 +2,11 @@
 #pragma once
 #include "kernels/core/portable.h"
 
+// Why a surface does not ask whether a light is visible.
+#define LIGHT_NOT_SHOWN 1u      ///< nothing is hit, or no light of lights is seen on it
+#define LIGHT_BEHIND 2u         ///< it does not face the shading normal
+#define LIGHT_SENDS_NOTHING 4u  ///< there
+
 typedef struct {
     vec3 direction;       ///< from the point towards the light, unit length
     float distance;       ///< to the light, infinite for directional ones

@@ -12,18 +12,44 @@ void describe(Device &device, const DeviceScene &scene, const std::vector<Traced
     std::vector<Hit> hits;
     std::vector<uint> instances;
     std::vector<float> etas;
-    for (const TracedRay *ray : traced) {
+    std::vector<TracedRay *> hitting;
+    for (TracedRay *ray : traced) {
+        if (!ray->hits()) continue;
+        hitting.push_back(ray);
         rays.push_back(ray->ray), hits.push_back(ray->hit);
         instances.push_back(ray->instance), etas.push_back(ray->interface.eta);
     }
+    if (hitting.empty()) return;
 
     Kernel describe(device, "kernels/stages/describe_hits.cl", "describe_hits", scene.lists());
-    const std::size_t count = traced.size();
+    const std::size_t count = hitting.size();
     const Buffer<HitDescription> descriptions(device, count);
     describe(count, scene, Buffer<Ray>(device, rays), Buffer<Hit>(device, hits), Buffer<uint>(device, instances), Buffer<float>(device, etas),
              static_cast<uint>(count), descriptions);
     const std::vector<HitDescription> read = descriptions.read();
-    for (std::size_t i = 0; i < count; ++i) traced[i]->description = read[i];
+    for (std::size_t i = 0; i < count; ++i) hitting[i]->description = read[i];
+}
+
+void describe_lights(Device &device, const DeviceScene &scene, const std::vector<TracedRay *> &traced) {
+    std::vector<TracedLight *> silent;
+    std::vector<SurfacePoint> points;
+    std::vector<uint> branches, rows;
+    for (TracedRay *ray : traced)
+        for (TracedLightBlock &block : ray->lights)
+            for (TracedLight &light : block.lights) {
+                if (light.asked) continue;
+                silent.push_back(&light), points.push_back(ray->point);
+                branches.push_back(ray->path.branch), rows.push_back(light.row);
+            }
+    if (silent.empty()) return;
+
+    Kernel describe(device, "kernels/stages/describe_lights.cl", "describe_lights", scene.lists());
+    const std::size_t count = silent.size();
+    const Buffer<LightDescription> descriptions(device, count);
+    describe(count, scene, Buffer<SurfacePoint>(device, points), Buffer<uint>(device, branches), Buffer<uint>(device, rows), static_cast<uint>(count),
+             descriptions);
+    const std::vector<LightDescription> read = descriptions.read();
+    for (std::size_t i = 0; i < count; ++i) silent[i]->description = read[i];
 }
 
 /// Visibility needs any hit: which is the closest is found out here.
@@ -34,7 +60,8 @@ void find_blockers(Device &device, const DeviceScene &scene, const std::vector<T
     for (TracedRay *ray : traced)
         for (TracedLightBlock &block : ray->lights)
             for (TracedLight &light : block.lights)
-                if (light.asked && !light.visible) blocked.push_back(&light), rays.push_back(light.ray), sources.push_back(ray->instance);
+                if (light.asked && !light.visible && !light.filter)
+                    blocked.push_back(&light), rays.push_back(light.ray), sources.push_back(ray->instance);
     if (blocked.empty()) return;
 
     const std::size_t count = rays.size();
@@ -56,9 +83,9 @@ void find_blockers(Device &device, const DeviceScene &scene, const std::vector<T
 }  // namespace
 
 void describe_hits(Device &device, const DeviceScene &scene, std::vector<TracedRay> &trees) {
-    const std::vector<TracedRay *> traced = rays_with_hits(trees);
-    if (traced.empty()) return;
+    const std::vector<TracedRay *> traced = all_rays(trees);
     describe(device, scene, traced);
+    describe_lights(device, scene, traced);
     find_blockers(device, scene, traced);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "runtime/inspection/describe_hits.h"
+#include "runtime/inspection/list_faces.h"
 
 namespace brandung {
 namespace {
@@ -11,6 +12,7 @@ void inspect_samples(const InspectedRender &render, uint x, uint y, SampleRange 
     RayTrees trees(range.count);
     const std::vector<Sample> weighed = render.renderer.render_pixel(render.film, x, y, range.first, range.count, &trees);
     describe_hits(render.device, render.on_device, trees.trees());
+    list_faces(render.device, render.on_device, trees.trees());
     for (uint i = 0; i < range.count; ++i) samples.push_back({range.first + i, std::move(trees.trees()[i]), trees.sums()[i], weighed[i]});
 }
 

@@ -19,8 +19,16 @@ std::vector<TracedLightBlock> lights_of(const WaveRecords &wave, std::size_t i) 
         block.contribution = records.contributions[i];
         for (const LightRecords &light : records.lights) {
             const bool asked = light.asked[i] != 0, visible = light.visible[i] != 0;
-            TracedLight &traced = block.lights.emplace_back(TracedLight{light.row, light.rays[i], asked, visible, {}, 0, {}, light.radiance[i]});
-            if (!light.filters.empty() && visible) traced.filter = light.filters[i];
+            TracedLight &traced = block.lights.emplace_back(TracedLight{.row = light.row,
+                                                                        .ray = light.rays[i],
+                                                                        .asked = asked,
+                                                                        .visible = visible,
+                                                                        .description = {},
+                                                                        .blocker = {},
+                                                                        .filter = {},
+                                                                        .passed = {},
+                                                                        .radiance = light.radiance[i]});
+            if (!light.filters.empty() && asked) traced.filter = light.filters[i];
         }
     }
     return blocks;
@@ -30,11 +38,11 @@ TracedRay traced_ray(const WaveRecords &wave, std::size_t i) {
     TracedRay ray{.path = wave.paths[i],
                   .begun = wave.begun[i],
                   .ray = wave.rays[i],
-                  .closest = wave.closest[i],
                   .hit = wave.hits[i],
                   .instance = wave.instances[i],
-                  .closest_instance = wave.closest_instances[i],
-                  .source_instance = wave.source_instances[i],
+                  .begun_instance = wave.begun_instances[i],
+                  .begun_media = media(wave.begun_media, wave.interior_size, i),
+                  .passed = {},
                   .point = wave.points[i],
                   .interface = wave.interfaces[i],
                   .direction = wave.directions[i],
@@ -68,13 +76,13 @@ void RayTrees::see(const WaveRecords &wave) {
     }
 }
 
-std::vector<TracedRay *> rays_with_hits(std::vector<TracedRay> &trees) {
+std::vector<TracedRay *> all_rays(std::vector<TracedRay> &trees) {
     std::vector<TracedRay *> rays, waiting;
     for (TracedRay &tree : trees) waiting.push_back(&tree);
     while (!waiting.empty()) {
         TracedRay *ray = waiting.back();
         waiting.pop_back();
-        if (ray->hits()) rays.push_back(ray);
+        rays.push_back(ray);
         for (TracedChild &child : ray->children)
             if (child.traced) waiting.push_back(child.traced.get());
     }

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "kernels/stages/describe_hits.h"
+#include "kernels/stages/describe_lights.h"
+#include "kernels/stages/face_list.h"
 #include "runtime/integrators/wave_observer.h"
 
 namespace brandung {
@@ -15,10 +17,13 @@ struct TracedLight {
     uint row;  ///< of the scene's lights, see LightRows
     Ray ray;
     bool asked;                      ///< the ray was traced
-    bool visible;                    ///< and met nothing
-    Hit blocker;                     ///< the closest thing in its way; by describe_hits(), where it is not visible
+    bool visible;                    ///< and light arrives along it
+    LightDescription description;    ///< by describe_hits(), where it was not asked
+    Hit blocker;                     ///< by describe_hits(), where it is not visible: the closest thing in its way; of filtered shadows, by
+                                     ///< list_faces(), that which takes the last of the light
     uint blocker_instance = 0;       ///< that it is in, 0 outside of all
-    std::optional<Spectrum> filter;  ///< what arrives of the light where it is visible; none where shadows are not filtered
+    std::optional<Spectrum> filter;  ///< the part of the light that arrives; none where shadows are not filtered, and where it was not asked
+    std::vector<PassedFace> passed;  ///< what lets that part through, in order; by list_faces()
     Spectrum radiance;               ///< towards the eye at throughput 1; where it is not visible, that which something is in the way of
 };
 
@@ -39,13 +44,13 @@ struct TracedChild {
 
 struct TracedRay {
     Path path;
-    Ray begun;    ///< as spawned
-    Ray ray;      ///< as it met its hit: where it passed faces that are no interfaces, from behind the last of them on
-    Hit closest;  ///< of `begun`
+    Ray begun;  ///< as spawned
+    Ray ray;    ///< as it met its hit: where it passed faces that are no interfaces, from behind the last of them on
     Hit hit;
-    uint instance = 0;  ///< that the hit is in, 0 outside of all
-    uint closest_instance = 0;
-    uint source_instance = 0;  ///< that of the primitive which `ray` leaves
+    uint instance = 0;               ///< that the hit is in, 0 outside of all
+    uint begun_instance = 0;         ///< that of the primitive which `begun` leaves
+    std::vector<uint> begun_media;   ///< where `begun` begins, as `before`
+    std::vector<PassedFace> passed;  ///< the faces between `begun` and `ray`, in order; by list_faces()
     SurfacePoint point;
     SurfaceInterface interface;
     vec3 direction;                    ///< back along the ray
@@ -78,8 +83,8 @@ private:
     std::vector<std::vector<TracedRay *>> waiting_;  ///< by generation and slot: what a ray is to become
 };
 
-/// All rays of trees that hit something.
-std::vector<TracedRay *> rays_with_hits(std::vector<TracedRay> &trees);
+/// All rays of trees.
+std::vector<TracedRay *> all_rays(std::vector<TracedRay> &trees);
 
 /// A contribution as it is added to a sample: per channel, in units of 2^-32. Nothing of one that is not finite is.
 using FixedPoint = std::array<std::int64_t, 3>;

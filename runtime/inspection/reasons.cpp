@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "kernels/lights/light.h"
+
 namespace brandung {
 namespace {
 
@@ -30,12 +32,12 @@ std::string why_not_spawned(const TracedRay &parent, std::size_t j, const Materi
     return fmt::format("its throughput, {:g}, is below integrator.threshold, {:g}", throughput, settings.threshold);
 }
 
-std::string why_not_asked(const TracedRay &ray, const TracedLight &light) {
-    if (light.asked) return "";
-    if (!(ray.point.flags & SURFACE_LIT)) return "the material shows no light of lights";
-    const float cosine = glm::dot(ray.point.normal, light.ray.direction);
-    if (cosine <= 0) return fmt::format("it is behind the surface: its cosine to the shading normal is {:g}", cosine);
-    return "it sends nothing there";
+std::string why_not_asked(const TracedLight &light) {
+    const uint refusals = light.asked ? 0u : light.description.refusals;
+    if (refusals & LIGHT_NOT_SHOWN) return "the material shows no light of lights";
+    if (refusals & LIGHT_BEHIND) return fmt::format("it is behind the surface: its cosine to the shading normal is {:g}", light.description.cosine);
+    if (refusals & LIGHT_SENDS_NOTHING) return "it sends nothing there, as a spot light does outside its cone";
+    return "";
 }
 
 }  // namespace brandung

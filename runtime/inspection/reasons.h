@@ -15,6 +15,6 @@ bool can_spawn(const TracedRay &parent, std::size_t j, const Material &material)
 /// Of child j of a ray that hit something; empty if it was spawned.
 std::string why_not_spawned(const TracedRay &parent, std::size_t j, const Material &material, const IntegratorSettings &settings);
 /// Empty if its shadow ray was traced.
-std::string why_not_asked(const TracedRay &ray, const TracedLight &light);
+std::string why_not_asked(const TracedLight &light);
 
 }  // namespace brandung

@@ -14,9 +14,6 @@ template <class T> std::vector<T> gather(const Buffer<T> &buffer, const std::vec
     return items;
 }
 
-/// Zeros in scenes that do without the array.
-std::vector<uint> read_if_any(const Buffer<uint> &buffer, uint count) { return buffer.size() > 0 ? buffer.read(0, count) : std::vector<uint>(count); }
-
 }  // namespace
 
 Observation::Observation(Device &device, uint batch, uint branching, uint interior_size)
@@ -37,23 +34,19 @@ void Observation::begin(const Wave &wave) {
     records = {.generation = wave.generation, .base = wave.base, .interior_size = records.interior_size};
     records.slots = wave.level.live.read(wave.first, wave.count);
     records.begun = gather(wave.level.rays, records.slots);
+    records.begun_instances = wave.level.sources.size() > 0 ? gather(wave.level.sources, records.slots) : std::vector<uint>(wave.count);
+    if (records.interior_size > 0) records.begun_media = gather(wave.level.interiors, records.slots, records.interior_size);
     records.paths = gather(wave.level.paths, records.slots);
     std::vector<Path> unit = wave.level.paths.read();
     for (Path &path : unit) path.throughput = Spectrum(1), path.depth = 1;
     unit_paths.write(unit);
 }
 
-void Observation::record_closest(const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances) {
-    records.closest = hits.read(0, wave.count);
-    records.closest_instances = read_if_any(instances, wave.count);
-}
-
 void Observation::record_hits(const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances, const Buffer<SurfacePoint> &points,
                               const Buffer<SurfaceInterface> &interfaces, const Buffer<vec3> &directions, const Buffer<uint> &beyond) {
     records.rays = gather(wave.level.rays, records.slots);
     records.hits = hits.read(0, wave.count);
-    records.instances = read_if_any(instances, wave.count);
-    records.source_instances = wave.level.sources.size() > 0 ? gather(wave.level.sources, records.slots) : std::vector<uint>(wave.count);
+    records.instances = instances.size() > 0 ? instances.read(0, wave.count) : std::vector<uint>(wave.count);
     records.points = points.read(0, wave.count);
     records.interfaces = interfaces.read(0, wave.count);
     records.directions = directions.read(0, wave.count);

@@ -10,8 +10,6 @@ struct Observation {
 
     /// Before the wave's rays are traced.
     void begin(const Wave &wave);
-    /// What is the closest to them.
-    void record_closest(const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances);
     /// The interfaces that they have met; `beyond`: the media behind, by item.
     void record_hits(const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances, const Buffer<SurfacePoint> &points,
                      const Buffer<SurfaceInterface> &interfaces, const Buffer<vec3> &directions, const Buffer<uint> &beyond);

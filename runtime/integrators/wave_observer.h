@@ -36,14 +36,13 @@ struct WaveRecords {
     std::vector<Ray> begun;   ///< as spawned
     std::vector<Ray> rays;    ///< as they met their hits: where faces were no interfaces, from behind them on
     std::vector<Path> paths;
-    std::vector<Hit> closest;     ///< of `begun`
-    std::vector<Hit> hits;        ///< of `rays`
-    std::vector<uint> instances;  ///< of `hits`: 0 outside of all; as are those of `closest` and of what `rays` leave
-    std::vector<uint> closest_instances, source_instances;
+    std::vector<Hit> hits;                         ///< of `rays`
+    std::vector<uint> instances, begun_instances;  ///< of `hits`, and of the primitives that `begun` leave: 0 outside of all
     std::vector<SurfacePoint> points;
     std::vector<SurfaceInterface> interfaces;
     std::vector<vec3> directions;        ///< back along the rays
-    uint interior_size = 0;              ///< entries per ray of the next two, as kernels/core/interior.cl has them
+    uint interior_size = 0;              ///< entries per ray of the next three, as kernels/core/interior.cl has them
+    std::vector<uint> begun_media;       ///< where `begun` begin
     std::vector<uint> before, behind;    ///< media on both sides of the hits
     std::vector<Tints> tints;            ///< empty in scenes without
     std::vector<Spectrum> unlit;         ///< radiance that needs no light

@@ -131,7 +131,6 @@ private:
         intersect(wave.count, scene_, wave, wave.level.rays, wave.level.sources, hits_, hit_instances_, media_ ? media_->crowded : no_bytes_,
                   counter_.tallies());
         counter_.add(intersect.work_items(wave.count));
-        if (observation_) observation_->record_closest(wave, hits_, hit_instances_);
         if (!media_) return;
         media_->find(wave.count, scene_, wave, wave.level.rays, wave.level.sources, hits_, hit_instances_, media_->crowded, wave.level.interiors,
                      media_->beyond, media_->etas, media_->lost, counter_.tallies());

@@ -13,6 +13,7 @@ struct ReadOptions {
     std::vector<std::string> assignments;  ///< "KEY=VALUE" changes to the settings, made before they are interpreted
     ViewChanges view;                      ///< of all cameras, or of the one that the scene gets where its file has none
     ReadProgress progress;                 ///< may be empty
+    bool keep_places = false;              ///< whether the scene has them
 };
 
 struct SceneFormat {

@@ -153,6 +153,7 @@ Scene read_native(const std::string &file, const ReadOptions &options) {
     check_keys(root);
 
     Scene scene;
+    if (options.keep_places) scene.places.emplace();
     scene.file = file;
     read_settings(root, scene);
     scene.ambient = root.spectrum("ambient", scene.ambient);

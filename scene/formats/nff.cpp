@@ -25,6 +25,8 @@ struct LightSource {
 /// What has been read so far.
 struct Reading {
     explicit Reading(const std::string &file) : tokens(file) { scene.file = file; }
+    /// Goes before the lines of objects.
+    std::string before_lines() const { return scene.file + ":"; }
 
     Tokens tokens;
     Scene scene;
@@ -53,7 +55,8 @@ void add_material(Scene &scene, const std::string &name, Spectrum color, float k
 
 /// Ends the run of polygons, so that primitives stay in the order of the file.
 void finish_mesh(Reading &reading) {
-    if (!reading.mesh.indices.empty()) add_triangle_mesh(reading.scene, uint(reading.scene.materials.size() - 1), std::move(reading.mesh));
+    const uint material = uint(reading.scene.materials.size() - 1);
+    if (!reading.mesh.indices.empty()) add_triangle_mesh(reading.scene, material, std::move(reading.mesh), reading.before_lines());
     reading.mesh = {};
 }
 
@@ -194,12 +197,22 @@ struct Entity {
 constexpr Entity entities[] = {{"s", read_ball}, {"p", read_flat_polygon}, {"pp", read_patch},     {"c", read_cone},
                                {"f", read_fill}, {"l", read_light},        {"b", read_background}, {"v", read_viewpoint}};
 
+/// Where the scene keeps places: that of what has been added on this line, to the mesh that is not finished or as shapes of their own.
+void keep_place(Reading &reading, uint line) {
+    Scene &scene = reading.scene;
+    if (!scene.places) return;
+    reading.mesh.numbers.resize(reading.mesh.indices.size() / 3, line);
+    if (!scene.shapes.empty()) scene.places->try_emplace(scene.shapes.back().get(), PlaceInFile{reading.before_lines(), {line}});
+}
+
 void read_entities(Reading &reading) {
     while (!reading.tokens.at_end()) {
         const std::string_view name = reading.tokens.word();
         const auto entity = std::find_if(std::begin(entities), std::end(entities), [&](const Entity &e) { return e.name == name; });
         if (entity == std::end(entities)) reading.tokens.fail("expected one of v, b, l, f, c, s, p, pp, found " + quoted(name));
+        const uint line = reading.tokens.line();
         entity->read(reading);
+        keep_place(reading, line);
     }
     finish_mesh(reading);
     if (reading.viewpoint_line == 0) reading.tokens.fail("the file has no viewpoint (v)");
@@ -218,6 +231,7 @@ void add_lights(Reading &reading) {
 
 Scene read_nff(const std::string &file, const ReadOptions &options) {
     Reading reading(file);
+    if (options.keep_places) reading.scene.places.emplace();
     read_entities(reading);
     add_lights(reading);
     assign_settings(options.assignments, reading.scene);

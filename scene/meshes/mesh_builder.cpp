@@ -124,12 +124,12 @@ void MeshBuilder::add_face(const std::vector<MeshVertex> &corners, std::map<std:
     first_at_.resize(tables_.positions.size(), MeshVertex::none);
     vertices_.clear();
     for (const MeshVertex &corner : corners_) vertices_.push_back(local(corner));
-    std::vector<uint> &indices = parts_.back().mesh.indices;
-    if (vertices_.size() == 3) {
-        indices.insert(indices.end(), vertices_.begin(), vertices_.end());
-        return;
-    }
-    for (const uint corner : triangulate_polygon(polygon_, warnings)) indices.push_back(vertices_[corner]);
+    MeshData &mesh = parts_.back().mesh;
+    if (vertices_.size() == 3)
+        mesh.indices.insert(mesh.indices.end(), vertices_.begin(), vertices_.end());
+    else
+        for (const uint corner : triangulate_polygon(polygon_, warnings)) mesh.indices.push_back(vertices_[corner]);
+    if (number_) mesh.numbers.resize(mesh.indices.size() / 3, *number_);
 }
 
 /// Where a sum has no direction, a triangle's own normal takes its place.

@@ -2,6 +2,7 @@
 /// all of them.
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,8 @@ public:
     void set_material(uint material);
     /// Of the faces that follow: those of one group share normals where they have none of their own; 0: they stay flat.
     void set_smoothing(uint group) { smoothing_ = group; }
+    /// Of the face that follows, in its file; all faces have one, or none has.
+    void set_number(uint number) { number_ = number; }
     /// Adds a polygon, perhaps concave. What cannot be used is left out and counted.
     void add_face(const std::vector<MeshVertex> &corners, std::map<std::string, uint> &warnings);
     /// The meshes, of one material and group each, in the order of their first faces. Ends the builder.
@@ -75,6 +78,7 @@ private:
     const MeshTables &tables_;
     std::vector<MeshPart> parts_;
     uint material_ = no_material, smoothing_ = 0;
+    std::optional<uint> number_;
     bool part_is_open_ = false;  ///< the last part goes on
     bool uvs_ = false, colors_ = false;
     Normals normals_ = Normals::none;  ///< of the last part, as what it has

@@ -18,10 +18,11 @@ using ReadParts = std::vector<MeshPart> (*)(const std::string &file, const std::
 Scene read_as_scene(const std::string &file, const ReadOptions &options, ReadParts read) {
     Scene scene;
     scene.file = file;
+    if (options.keep_places) scene.places.emplace();
     assign_settings(options.assignments, scene);
     std::vector<MeshPart> parts = read(file, "", scene, options.progress);
     add_default_view(parts, options.view, scene);
-    for (MeshPart &part : parts) add_triangle_mesh(scene, part.material, std::move(part.mesh));
+    for (MeshPart &part : parts) add_triangle_mesh(scene, part.material, std::move(part.mesh), before_numbers(file));
     return scene;
 }
 
@@ -35,6 +36,9 @@ std::string extension_of(const std::string &file) {
 
 Scene read_obj_scene(const std::string &file, const ReadOptions &options) { return read_as_scene(file, options, read_obj); }
 Scene read_ply_scene(const std::string &file, const ReadOptions &options) { return read_as_scene(file, options, read_ply); }
+
+/// Lines of text can be looked up, bytes have none.
+std::string before_numbers(const std::string &file) { return extension_of(file) == ".ply" ? file + ": face " : file + ":"; }
 
 std::vector<MeshPart> read_mesh_file(const std::string &file, const std::string &prefix, Scene &scene, const ReadProgress &progress) {
     check_readable(file);

@@ -11,8 +11,10 @@ namespace brandung {
 /// Triangles with one material.
 struct MeshPart {
     uint material;  ///< index into Scene::materials
-    MeshData mesh;
+    MeshData mesh;  ///< with numbers of lines or faces, if the scene keeps places
 };
+/// What goes before the numbers of a file's meshes.
+std::string before_numbers(const std::string &file);
 
 /// What a file has, in its order. Materials go to the scene: under their own names after `prefix`, those of which it has one of that name being
 /// taken as they are. Throws SceneError `file:line: why`; what is left out is a counted warning of the scene.

@@ -27,8 +27,9 @@ void read_mesh(const Parameters &parameters, uint material, Scene &scene) {
     const std::string name = parameters.text("file"), file = readable_file(parameters, scene, name);
     const bool own = material == material_of_file;
     Scene unused;  // gets materials that the scene doesn't need
+    if (scene.places) unused.places.emplace();
     for (MeshPart &part : read_mesh_file(file, name + ":", own ? scene : unused, parameters.progress()))
-        add_triangle_mesh(scene, own ? part.material : material, std::move(part.mesh));
+        add_triangle_mesh(scene, own ? part.material : material, std::move(part.mesh), before_numbers(file));
     for (const auto &[text, count] : unused.warnings) scene.warnings[text] += count;
 }
 

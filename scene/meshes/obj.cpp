@@ -110,6 +110,7 @@ MeshVertex read_corner(Reading &reading, std::string_view word, bool &lacks_uv, 
 }
 
 void read_face(Reading &reading) {
+    if (reading.scene.places) reading.builder.set_number(reading.tokens.line());
     bool lacks_uv = false, lacks_normal = false;
     reading.corners.clear();
     while (!reading.tokens.at_line_end()) reading.corners.push_back(read_corner(reading, reading.tokens.word(), lacks_uv, lacks_normal));

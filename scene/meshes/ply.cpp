@@ -168,6 +168,8 @@ private:
                 else
                     skip(property);
             }
+            if (scene_.places) builder_.set_number(faces_);
+            ++faces_;
             if (element.name == "face")
                 add_face();
             else
@@ -219,6 +221,7 @@ private:
     MeshTables tables_;
     MeshBuilder builder_{tables_};
     uint64 vertices_ = 0;
+    uint faces_ = 0;                      ///< so far, and strips
     bool normals_ = false, uvs_ = false;  ///< whether vertices have them
     std::vector<double> indices_, uv_list_;
     std::vector<MeshVertex> corners_;

@@ -1,6 +1,7 @@
 /// Shape: something of a scene that rays can meet.
 #pragma once
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,6 +34,14 @@ struct SharedTables {
 
 /// Stands for the number of an object where the file does not number any.
 inline constexpr uint NO_OBJECT = 0xffffffffu;
+
+class Shape;
+/// Where shapes are in files whose objects have no numbers, for those who ask.
+struct PlaceInFile {
+    std::string before;         ///< "bunny.obj:" or "bunny.ply: face "
+    std::vector<uint> numbers;  ///< that follow it: one per primitive
+};
+using ShapePlaces = std::map<const Shape *, PlaceInFile>;
 
 /// One or more primitives of one kind with one material.
 class Shape {
@@ -82,6 +91,7 @@ struct MeshData {
     std::vector<vec2> uvs;
     std::vector<Spectrum> colors;
     std::vector<uint> indices;  ///< three per triangle
+    std::vector<uint> numbers;  ///< of lines or faces of its file: one per triangle, or none, see ShapePlaces
 };
 std::unique_ptr<Shape> make_triangle_mesh(uint material, MeshData mesh);
 /// Whether the kernels can tell the triangle's normal. They too round the edges to float, and then make no error that matters.

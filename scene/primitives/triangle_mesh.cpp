@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "kernels/primitives/smooth_triangle.h"
 #include "scene/lights/emissive_faces.h"
@@ -87,9 +88,11 @@ void drop_flat_triangles(MeshData &mesh) {
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const uint a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
         if (!has_area(mesh.positions[a], mesh.positions[b], mesh.positions[c])) continue;
+        if (!mesh.numbers.empty()) mesh.numbers[kept / 3] = mesh.numbers[i / 3];
         for (const uint index : {a, b, c}) mesh.indices[kept++] = index;
     }
     mesh.indices.resize(kept);
+    if (!mesh.numbers.empty()) mesh.numbers.resize(kept / 3);
 }
 
 }  // namespace
@@ -99,17 +102,25 @@ std::unique_ptr<Shape> make_triangle_mesh(uint material, MeshData mesh) {
     assert(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size());
     assert(mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size());
     assert(mesh.colors.empty() || mesh.colors.size() == mesh.positions.size());
+    assert(mesh.numbers.empty() || mesh.numbers.size() == mesh.indices.size() / 3);
     drop_flat_triangles(mesh);
     if (mesh.indices.empty()) return nullptr;
     return std::make_unique<TriangleMesh>(material, std::move(mesh));
 }
 
-void add_triangle_mesh(Scene &scene, uint material, MeshData mesh) {
+void add_triangle_mesh(Scene &scene, uint material, MeshData mesh, const std::string &before) {
     const std::size_t triangles = mesh.indices.size() / 3;
+    std::vector<uint> numbers;
+    if (!mesh.numbers.empty()) {
+        drop_flat_triangles(mesh);
+        numbers = std::exchange(mesh.numbers, {});
+    }
     auto shape = make_triangle_mesh(material, std::move(mesh));
     const std::size_t kept = shape ? shape->count() : 0;
     if (kept < triangles) scene.warnings["triangle without area: left out"] += uint(triangles - kept);
-    if (shape) scene.shapes.push_back(std::move(shape));
+    if (!shape) return;
+    if (scene.places && !numbers.empty()) scene.places->emplace(shape.get(), PlaceInFile{before, std::move(numbers)});
+    scene.shapes.push_back(std::move(shape));
 }
 
 std::vector<vec3> read_normals(const Parameters &parameters, const std::string &name, std::size_t vertices) {

@@ -27,6 +27,8 @@
 #include "kernels/primitives/sphere.h"
 #include "kernels/primitives/surface.h"
 #include "kernels/stages/describe_hits.h"
+#include "kernels/stages/describe_lights.h"
+#include "kernels/stages/face_list.h"
 #include "kernels/textures/texture.h"
 #include "tests/support/probe.h"
 
@@ -73,6 +75,8 @@ const Layouts &host_layouts() {
         RECORD(Tints, diffuse, specular),
         RECORD(TextureRecord, offset, width, height, flags),
         RECORD(HitDescription, p, error, geometric, normal, cosine, cosine_squared_beyond, emission, ambient),
+        RECORD(LightDescription, irradiance, cosine, refusals),
+        RECORD(PassedFace, p, enters, hit, transmission, instance),
         RECORD(Tally, rays, hits),
         RECORD(Sample, sum),
         RECORD(Integer128, low, high),

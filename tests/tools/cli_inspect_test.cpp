@@ -69,14 +69,14 @@ TEST(CliInspect, JsonHasTheseFields) {
     EXPECT_EQ(names(sample), (Names{"number", "ray", "sum", "weighed"}));
     EXPECT_EQ(names(ray), (Names{"children", "contributions", "depth", "direction", "hit", "interface", "kind", "lights", "number", "origin",
                                  "passed", "subtotal", "surface", "throughput", "tints", "unlit"}));
-    EXPECT_EQ(names(ray["hit"]),
-              (Names{"group", "instance", "kind", "material", "object", "place", "primitive", "primitive_of_shape", "shape", "t", "u", "v"}));
+    EXPECT_EQ(names(ray["hit"]), (Names{"group", "instance", "kind", "material", "object", "place", "primitive", "primitive_of_shape", "shape",
+                                        "source", "t", "u", "v"}));
     EXPECT_EQ(names(ray["surface"]),
               (Names{"cosine", "error", "geometric_normal", "origin_lit_side", "origin_other_side", "point", "shading_normal", "side"}));
     EXPECT_EQ(names(ray["unlit"]), (Names{"ambient", "background", "emission", "radiance"}));
     EXPECT_EQ(names(ray["contributions"][0]), (Names{"fixed_point", "radiance", "refused", "rows", "running_total"}));
-    EXPECT_EQ(names(light), (Names{"asked", "blocker", "contribution", "direction", "emissive", "filter", "kind", "light", "origin", "radiance",
-                                   "row", "t_max", "visible", "why_not"}));
+    EXPECT_EQ(names(light), (Names{"asked", "blocker", "contribution", "direction", "emissive", "filter", "kind", "light", "origin", "passed",
+                                   "radiance", "row", "t_max", "visible", "why_not"}));
     EXPECT_EQ(names(child), (Names{"direction", "kind", "possible", "ray", "spawned", "weight", "why_not"}));
     EXPECT_EQ(ray["kind"], "camera");
     EXPECT_EQ(ray["hit"]["material"], "grey");
@@ -135,6 +135,25 @@ TEST(CliInspect, ThingsHaveTheirPlacesInTheFile) {
     EXPECT_EQ(lamp["emissive"]["place"], file + ":" + line_of("\"lamp\", \"center\"") + ": /objects/0");
     EXPECT_EQ(lamp["emissive"]["stratum"], json({{"column", 0}, {"row", 1}, {"rows", 2}}));
     EXPECT_EQ(lamp["asked"], false);
+}
+
+/// From a wall behind, through two panes, to the light.
+TEST(CliInspect, FacesOnTheWayAndLinesOfFilesAreTold) {
+    const TemporaryFolder folder;
+    folder.write("wall.obj", "v -9 -9 -5\nv 9 -9 -5\n\nv 0 18 -5\nf 1 2 3\n");
+    const std::string scene = folder.write("scene.json", native_scene(R"(
+    {"type": "polygon", "material": "glass", "vertices": [[-1, 1, -5], [2, 1, -5], [2, 1, -1], [-1, 1, -1]]},
+    {"type": "polygon", "material": "glass", "vertices": [[-1, 2, -5], [2, 2, -5], [2, 2, -1], [-1, 2, -1]]},
+    {"type": "mesh", "file": "wall.obj", "material": "grey"})"));
+    const std::string grey = R"({"name": "grey")", glass = R"({"name": "glass", "type": "whitted", "transmission": 0.5, "eta": 1.5}, )";
+    std::string text = read_file(scene);
+    text.replace(text.find(grey), grey.size(), glass + grey);
+    text.replace(text.find("[2, 3, 4]"), 9, "[0, 4, 1]");
+    folder.write("scene.json", text);
+    const Finished run = run_program({"inspect", scene, "16,12", "--size", "33x25", "--shadows", "filtered"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    for (const char *part : {"wall.obj:5\n", "visible through 2 faces; adds ", "; lets through 0.5 each [0x1p-1]\n"})
+        EXPECT_NE(run.out.find(part), std::string::npos) << part << " in\n" << run.out;
 }
 
 TEST(CliInspect, PixelsOfACropAreThoseOfThePicture) {

@@ -32,7 +32,7 @@ std::array<__int128, 3> checked_sum(const TracedRay &ray, const Scene &scene) {
     Spectrum radiance = ray.unlit;
     for (const TracedLightBlock &block : ray.lights) {
         for (const TracedLight &light : block.lights) {
-            EXPECT_EQ(light.asked, why_not_asked(ray, light).empty());
+            EXPECT_EQ(light.asked, why_not_asked(light).empty());
             if (light.asked && light.visible) radiance += light.radiance;
         }
         EXPECT_TRUE(same_bits(block.contribution, radiance * ray.path.throughput)) << "the lights one by one are not those of the block";
@@ -151,7 +151,7 @@ TEST(InspectedRay, OfTheEyeMeetsTheMirror) {
     EXPECT_EQ(ray.description.cosine, 1);
     EXPECT_EQ(ray.unlit, Spectrum(0));
     EXPECT_FALSE(ray.passed_faces());
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(why_not_asked(ray, light(ray, i)), "the material shows no light of lights") << i;
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(why_not_asked(light(ray, i)), "the material shows no light of lights") << i;
 }
 
 /// 1 / sqrt(3² + 4²) to light 0, which is at cosine 0.8: 25 / 25 * 0.8 * 0.5 / π; at (0, 4, -3) from the wall, light 2 would give 0.6 * 0.5 / π.
@@ -180,7 +180,7 @@ TEST(InspectedRay, OfTheMirrorMeetsTheWallAndItsLights) {
     EXPECT_NEAR(light(ray, 0).ray.t_max, 5, 1e-5);
     EXPECT_NEAR(light(ray, 0).radiance.x, 0.4 / M_PI, 1e-6);
     EXPECT_FALSE(light(ray, 1).asked);
-    EXPECT_EQ(why_not_asked(ray, light(ray, 1)), "it is behind the surface: its cosine to the shading normal is -1");
+    EXPECT_EQ(why_not_asked(light(ray, 1)), "it is behind the surface: its cosine to the shading normal is -1");
     EXPECT_TRUE(light(ray, 2).asked && !light(ray, 2).visible);
     EXPECT_NEAR(light(ray, 2).radiance.x, 0.3 / M_PI, 1e-6);
     EXPECT_EQ(light(ray, 2).blocker.primitive, 2u);
@@ -238,8 +238,13 @@ TEST(InspectedRay, PassesFacesThatAreNoInterfaces) {
     ASSERT_TRUE(eye.children.at(refracted_child).traced);
     const TracedRay &inside = *eye.children[refracted_child].traced;
     EXPECT_TRUE(inside.passed_faces());
-    EXPECT_EQ(inside.closest.primitive, 1u);
-    EXPECT_NEAR(inside.closest.t, 2, 1e-5) << "from z = -5 to z = -7";
+    ASSERT_EQ(inside.passed.size(), 2u);
+    for (const PassedFace &face : inside.passed) EXPECT_EQ(face.hit.primitive, 1u);
+    EXPECT_EQ(inside.passed[0].enters, 1u);
+    EXPECT_NEAR(inside.passed[0].hit.t, 2, 1e-5) << "from z = -5 to z = -7";
+    EXPECT_EQ(inside.passed[1].enters, 0u);
+    EXPECT_NEAR(inside.passed[1].hit.t, 4, 1e-5) << "to z = -9";
+    EXPECT_NEAR(inside.passed[1].p.z, -9, 1e-5);
     EXPECT_EQ(RAY_SOURCE(inside.ray.tag), 1u);
     EXPECT_NEAR(inside.ray.origin.z, -9, 1e-5);
     EXPECT_EQ(inside.hit.primitive, 0u);
@@ -247,6 +252,90 @@ TEST(InspectedRay, PassesFacesThatAreNoInterfaces) {
     const uint glass_once = 1u << 8 | 1u;
     EXPECT_EQ(inside.before, std::vector<uint>{glass_once});
     EXPECT_EQ(inside.behind, std::vector<uint>{0});
+}
+
+/// Balls of radius 1, 0.9, ..., 0.5 about z = -8 in a larger one: the way in and out again, from z = -5 on.
+TEST(InspectedRay, ListsAllFacesThatItPasses) {
+    Scene scene = one_ray();
+    const uint ball = add_material(scene, glass(1.5f));
+    add_sphere(scene, ball, {0, 0, -8}, 3);
+    for (int i = 0; i < 6; ++i) add_sphere(scene, ball, {0, 0, -8}, 1 - 0.1f * float(i));
+    const TracedRay eye = traced(scene);
+    const TracedRay &inside = *eye.children.at(refracted_child).traced;
+    ASSERT_EQ(inside.passed.size(), 12u);
+    for (uint i = 0; i < 12; ++i) {
+        const PassedFace &face = inside.passed[i];
+        const uint number = i < 6 ? i : 11 - i;
+        const double radius = 1 - 0.1 * number, t = i < 6 ? 3 - radius : 3 + radius;
+        EXPECT_EQ(face.hit.primitive, 1 + number) << i;
+        EXPECT_EQ(face.enters, uint(i < 6)) << i;
+        EXPECT_NEAR(face.hit.t, t, 1e-5) << i;
+        EXPECT_NEAR(face.p.z, -5 - t, 1e-5) << i;
+        EXPECT_EQ(face.instance, 0u);
+    }
+}
+
+/// A wall at z = -8, and a light 4 sqrt 2 away at 45 degrees. Panes of glass stand across the way to it, at 1, 1.1, ..., and, if asked for, an opaque
+/// ball of radius 1/4 about a point at 3 sqrt 2.
+Scene panes_before_light(uint panes, bool blocked, bool filtered) {
+    Scene scene = one_ray();
+    const uint wall = add_material(scene, matte(0.5f)), clear = add_material(scene, glass(1.5f));
+    add_triangle(scene, wall, {-6, -4, -8}, {6, -4, -8}, {0, 12, -8});
+    const vec3 forth = glm::normalize(vec3(0, 1, 1)), up = 0.3f * glm::normalize(vec3(0, 1, -1)), right(0.3f, 0, 0);
+    for (uint i = 0; i < panes; ++i) {
+        const vec3 middle = vec3(0, 0, -8) + (1 + 0.1f * float(i)) * forth;
+        add_triangle(scene, clear, middle - up - right, middle - up + right, middle + 2.0f * up);
+    }
+    if (blocked) add_sphere(scene, wall, {0, 3, -5}, 0.25f);
+    scene.lights = {point_light({0, 4, -4}, Spectrum(25))};
+    scene.integrator.filtered_shadows = filtered;
+    return scene;
+}
+
+TEST(InspectedShadow, IsBlockedByWhatIsOpaque) {
+    for (const uint panes : {2u, 20u}) {
+        const TracedRay ray = traced(panes_before_light(panes, true, true));
+        const TracedLight &blocked = light(ray, 0);
+        EXPECT_TRUE(blocked.asked && !blocked.visible);
+        EXPECT_EQ(blocked.blocker.primitive, 1 + panes);
+        EXPECT_NEAR(blocked.blocker.t, 3 * std::sqrt(2) - 0.25, 1e-5);
+        ASSERT_EQ(blocked.passed.size(), panes) << "20 are more than are found at once";
+        for (uint i = 0; i < panes; ++i) {
+            EXPECT_EQ(blocked.passed[i].hit.primitive, 1 + i);
+            EXPECT_NEAR(blocked.passed[i].hit.t, 1 + 0.1 * i, 1e-5);
+        }
+    }
+}
+
+/// Panes are met at normal incidence, where Fresnel's reflectance is (0.5 / 2.5)^2.
+TEST(InspectedShadow, IsFilteredByTheProductOfItsFaces) {
+    const TracedRay ray = traced(panes_before_light(4, false, true));
+    const TracedLight &lit = light(ray, 0);
+    EXPECT_TRUE(lit.visible);
+    ASSERT_EQ(lit.passed.size(), 4u);
+    Spectrum product(1);
+    for (const PassedFace &face : lit.passed) {
+        EXPECT_NEAR(face.transmission.x, 0.96, 1e-5);
+        product *= face.transmission;
+    }
+    EXPECT_TRUE(same_bits(lit.filter.value(), product));
+}
+
+TEST(InspectedShadow, IsBlockedByTheClosestWhereItIsNotFiltered) {
+    const TracedRay ray = traced(panes_before_light(2, true, false));
+    EXPECT_EQ(light(ray, 0).blocker.primitive, 1u);
+    EXPECT_NEAR(light(ray, 0).blocker.t, 1, 1e-5);
+    EXPECT_TRUE(light(ray, 0).passed.empty());
+}
+
+TEST(InspectedShadow, SaysThatASpotLightSendsNothingOutsideItsCone) {
+    Scene scene = panes_before_light(0, false, false);
+    scene.lights = {spot_light({0, 0, 0}, {0, 0, 1}, Spectrum(25), 30, 0.5), spot_light({0, 0, 0}, {0, 0, -8}, Spectrum(25), 30, 0.5)};
+    const TracedRay ray = traced(scene);
+    EXPECT_EQ(why_not_asked(light(ray, 0)), "it sends nothing there, as a spot light does outside its cone");
+    EXPECT_EQ(light(ray, 0).description.irradiance, Spectrum(0));
+    EXPECT_EQ(light(ray, 0).description.cosine, 1);
+    EXPECT_TRUE(light(ray, 1).asked);
 }
 
 /// At normal incidence between equal indices Fresnel's reflectance is 0.

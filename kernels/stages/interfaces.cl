@@ -1,0 +1,143 @@
+// Interfaces: which of the faces that a ray meets is one between media, where transparent bodies overlap or touch.
+#pragma once
+#include "generated/interior.cl"
+#include "kernels/accelerators/levels.cl"
+#include "kernels/core/spawn.cl"
+#include "kernels/primitives/placed.cl"
+#include "kernels/stages/face_list.cl"
+
+/// A face that a ray meets: what it does to the list of media.
+typedef struct {
+    uint material;
+    bool enters;
+} Face;
+
+FUNCTION bool transmits(Scene scene, PlacedHit hit) { return (material_of(scene, hit)->flags & MATERIAL_TRANSMITS) != 0u; }
+
+/// Whether the point of the one lies on the other, within the errors of both.
+FUNCTION bool coincide(Surface a, Surface b) {
+    const vec3 n = absolute(a.geometric);
+    return fabs(dot3(a.geometric, minus(b.p, a.p))) <= dot3(n, plus(a.error, b.error));
+}
+
+/// Makes the list those hits that coincide with its first. What is opaque hides the others.
+FUNCTION void keep_coincident(Scene scene, Ray ray, HitList *list) {
+    const Surface first = surface_of(scene, ray, list->hits[0]);
+    uint kept = 1u;
+    for (uint k = 1u; k < list->count; ++k) {
+        const PlacedHit hit = list->hits[k];
+        if (coincide(first, surface_of(scene, ray, hit))) list->hits[kept++] = hit;
+    }
+    list->count = kept;
+    for (uint k = 0u; k < kept; ++k) {
+        if (transmits(scene, list->hits[k])) continue;
+        list->hits[0] = list->hits[k], list->count = 1u;
+        return;
+    }
+}
+
+/// The faces of the hits; neighbours in a mesh that share the edge which the ray meets are one.
+FUNCTION uint faces_of(Scene scene, Ray ray, const HitList *list, Face *faces) {
+    uint count = 0u;
+    for (uint k = 0u; k < list->count; ++k) {
+        const PlacedHit hit = list->hits[k];
+        const Face face = {material_index_of(scene, hit), dot3(surface_of(scene, ray, hit).geometric, ray.direction) < 0.0f};
+        bool known = false;
+        for (uint f = 0u; f < count; ++f) known |= faces[f].material == face.material && faces[f].enters == face.enters;
+        if (!known) faces[count++] = face;
+    }
+    return count;
+}
+
+/// The closest hit, and what coincides with it.
+FUNCTION HitList hits_at(Scene scene, Ray ray, uint source_instance, PlacedHit closest, bool crowded) {
+    HitList list = empty_list();
+    if (!crowded) {
+        list.hits[0] = closest, list.count = 1u;
+        return list;
+    }
+    const ray_x8 lanes = prepare(ray, scene.header->world.extent);
+    ray.t_max = closest.hit.t + crowd_margin(&lanes);
+    scene_any_hit(scene, ray, source_instance, &list);
+    keep_coincident(scene, ray, &list);
+    return list;
+}
+
+/// The media on both sides of the faces. A ray that leaves what it never entered began inside of it.
+/// `lost` counts media entered for which there is no place.
+FUNCTION void cross_faces(const Face *faces, uint count, Interior *inside, Interior *beyond, volatile global uint *lost) {
+    for (uint f = 0u; f < count; ++f)
+        if (!faces[f].enters && !interior_contains(*inside, faces[f].material)) *inside = interior_entered(*inside, faces[f].material);
+    *beyond = *inside;
+    for (uint f = 0u; f < count; ++f) {
+        *beyond = faces[f].enters ? interior_entered(*beyond, faces[f].material) : interior_left(*beyond, faces[f].material);
+        if (faces[f].enters && !interior_contains(*beyond, faces[f].material)) atomic_inc(lost);
+    }
+}
+
+/// Of coincident faces, the one whose medium counts most: the interface that there would be if the other body overlapped this one.
+FUNCTION PlacedHit foremost(Scene scene, const HitList *list) {
+    PlacedHit best = list->hits[0];
+    for (uint k = 1u; k < list->count; ++k)
+        if (material_of(scene, list->hits[k])->priority > material_of(scene, best)->priority) best = list->hits[k];
+    return best;
+}
+
+/// A ray on its way to an interface.
+typedef struct {
+    Ray ray;
+    uint source_instance;  ///< of the primitive that it leaves
+    PlacedHit met;
+    bool crowded;             ///< whether `met` has company
+    Interior inside, behind;  ///< the media before and behind `met`
+    float eta;                ///< index of refraction before it over that behind; at an opaque surface, over the material's
+} Crossing;
+
+/// Sees what is on both sides of `met`. False where it is no interface, because the medium that counts stays.
+FUNCTION bool is_interface(Scene scene, Crossing *crossing, volatile global uint *lost) {
+    const global Material *materials = SCENE_ARRAY(scene, Material, materials);
+    const HitList list = hits_at(scene, crossing->ray, crossing->source_instance, crossing->met, crossing->crowded);
+    crossing->met = foremost(scene, &list);
+    if (!transmits(scene, crossing->met)) {
+        crossing->eta = interior_medium(crossing->inside, materials).eta / material_of(scene, crossing->met)->eta;
+        return true;
+    }
+    Face faces[HIT_LIST_SIZE];
+    cross_faces(faces, faces_of(scene, crossing->ray, &list, faces), &crossing->inside, &crossing->behind, lost);
+    const Medium here = interior_medium(crossing->inside, materials), there = interior_medium(crossing->behind, materials);
+    crossing->eta = here.eta / there.eta;
+    return here.entry != there.entry;
+}
+
+/// Goes straight on behind `met`, to what is next.
+FUNCTION void pass_on(Scene scene, Crossing *crossing, FaceList *passed) {
+    const Surface surface = surface_of(scene, crossing->ray, crossing->met);
+    const bool enters = dot3(surface.geometric, crossing->ray.direction) < 0.0f;
+    if (passed) face_list_add(passed, crossing->met, surface.p, enters, make3(1.0f, 1.0f, 1.0f));
+    const vec3 onward = scaled(surface.geometric, enters ? -1.0f : 1.0f);
+    crossing->ray.origin = spawn_origin(surface.p, scaled(onward, dot3(absolute(onward), surface.error)));
+    crossing->ray.tag = RAY_TAG(RAY_KIND(crossing->ray.tag), crossing->met.hit.primitive);
+    crossing->source_instance = instance_of(crossing->met);
+    crossing->inside = crossing->behind;
+    const Nearest nearest = scene_closest_hit(scene, crossing->ray, crossing->source_instance);
+    crossing->met = closest_of(nearest);
+    crossing->crowded = is_crowded(nearest);
+}
+
+/// Follows a ray, from what it meets first on, to the first interface; `tally` counts what it does on its way with refracted rays.
+FUNCTION void cross_to_interface(Scene scene, Crossing *crossing, volatile global uint *lost, Tally *tally, FaceList *passed) {
+    while (crossing->met.hit.primitive != NO_HIT && !is_interface(scene, crossing, lost)) {
+        pass_on(scene, crossing, passed);
+        tally->rays[RAY_REFRACTED] += 1u;
+        tally->hits[RAY_REFRACTED] += crossing->met.hit.primitive != NO_HIT;
+    }
+}
+
+/// Of a ray in the media `inside`.
+FUNCTION Crossing crossing_of(Ray ray, uint source_instance, PlacedHit met, bool crowded, Interior inside) {
+    Crossing crossing;
+    crossing.ray = ray, crossing.source_instance = source_instance;
+    crossing.met = met, crossing.crowded = crowded;
+    crossing.inside = inside, crossing.behind = inside, crossing.eta = 1.0f;
+    return crossing;
+}
