@@ -52,16 +52,20 @@ uint add_texture(Scene &scene, const std::string &file, const TextureOptions &op
 
 TexturePixels pixels_of(const std::vector<Texture> &textures, const std::vector<bool> &used) {
     TexturePixels result;
+    std::size_t count = 0;
     for (std::size_t i = 0; i < textures.size(); ++i) {
-        const Picture &picture = textures[i].picture;
         TextureRecord &record = result.records.emplace_back();
         if (!used[i]) continue;
-        const std::size_t first = result.texels.size() / 3, end = first + picture.pixels.size();
-        if (end > std::numeric_limits<uint>::max())
-            throw SceneError(fmt::format("{}: with it textures have {} texels, too many", textures[i].file, end));
-        record = {static_cast<uint>(first), picture.width, picture.height, flags_of(textures[i].options.wrap)};
-        result.texels.reserve(3 * end);
-        for (const vec3 &texel : picture.pixels)
+        const Picture &picture = textures[i].picture;
+        record = {static_cast<uint>(count), picture.width, picture.height, flags_of(textures[i].options.wrap)};
+        count += picture.pixels.size();
+        if (count > std::numeric_limits<uint>::max())
+            throw SceneError(fmt::format("{}: with it textures have {} texels, too many", textures[i].file, count));
+    }
+    result.texels.reserve(3 * count);
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        if (!used[i]) continue;
+        for (const vec3 &texel : textures[i].picture.pixels)
             for (int c = 0; c < 3; ++c) result.texels.push_back(glm::packHalf1x16(texel[c]));
     }
     return result;

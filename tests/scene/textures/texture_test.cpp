@@ -4,6 +4,7 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <limits>
 
@@ -65,6 +66,24 @@ TEST(Texture, AFileThatIsNoPictureIsLeftOutWithAWarningOrRefused) {
         EXPECT_EQ(count, text.find("there_is_none") == std::string::npos ? 2u : 1u);
     }
     EXPECT_THROW(read_texture(scene, file.path), SceneError);
+}
+
+/// As fast as one picture with as many texels. Growing by one picture at a time would copy what has been before for each: 500 times as much.
+TEST(Texture, ManyPicturesTakeTheTimeOfTheirTexels) {
+    const auto textures_of = [](std::size_t count, uint side) {
+        std::vector<Texture> textures(count);
+        for (Texture &texture : textures) texture.picture = {side, side, std::vector<vec3>(side * side, vec3(0.5f)), {}};
+        return textures;
+    };
+    const auto seconds = [](const std::vector<Texture> &textures) {
+        const auto begin = std::chrono::steady_clock::now();
+        const TexturePixels pixels = pixels_of(textures, std::vector<bool>(textures.size(), true));
+        EXPECT_EQ(pixels.texels.size(), 3u << 22);
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    const std::vector<Texture> one = textures_of(1, 2048), many = textures_of(1024, 64);
+    seconds(one);
+    EXPECT_LT(seconds(many), 8 * seconds(one));
 }
 
 /// A PNG of 8 bits with so many channels.
