@@ -43,6 +43,26 @@ bool is_linear(const OIIO::ImageSpec &spec) {
     return spec.format.is_floating_point() || OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
 }
 
+/// What the stored values of integers up to `largest` are in linear light.
+std::vector<float> linear_values(uint largest) {
+    std::vector<float> values(largest + 1);
+    for (uint i = 0; i <= largest; ++i) values[i] = srgb_decoded(float(double(i) / largest));
+    return values;
+}
+
+/// Takes a file's values from the sRGB curve; integers of 8 and 16 bits, by far the most, by a table.
+void decode(const OIIO::ImageSpec &spec, std::vector<vec3> &pixels) {
+    const bool bytes = spec.format == OIIO::TypeDesc::UINT8;
+    if (!bytes && spec.format != OIIO::TypeDesc::UINT16) {
+        for (vec3 &pixel : pixels) pixel = {srgb_decoded(pixel.x), srgb_decoded(pixel.y), srgb_decoded(pixel.z)};
+        return;
+    }
+    const std::vector<float> linear = linear_values(bytes ? 0xff : 0xffff);
+    const float largest = float(linear.size() - 1);
+    for (vec3 &pixel : pixels)
+        for (int c = 0; c < 3; ++c) pixel[c] = linear[std::size_t(pixel[c] * largest + 0.5f)];
+}
+
 std::map<std::string, std::string> texts(const OIIO::ImageSpec &spec) {
     std::map<std::string, std::string> texts;
     for (const OIIO::ParamValue &attribute : spec.extra_attribs)
@@ -69,10 +89,8 @@ Picture read_picture(const std::string &file, Encoding encoding) {
     }
     const std::array<std::size_t, 3> colour = colour_channels(spec);
     for (std::size_t i = 0; i < pixels; ++i)
-        for (std::size_t c = 0; c < 3; ++c) {
-            const float value = values[i * channels + colour[c]];
-            picture.pixels[i][int(c)] = picture.encoded ? srgb_decoded(value) : value;
-        }
+        for (std::size_t c = 0; c < 3; ++c) picture.pixels[i][int(c)] = values[i * channels + colour[c]];
+    if (picture.encoded) decode(spec, picture.pixels);
     return picture;
 }
 

@@ -1,7 +1,10 @@
 #include "scene/tone.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace brandung {
 namespace {
@@ -10,6 +13,19 @@ constexpr float middle_grey = 0.18f;
 
 /// Rec. 709.
 float luminance(const vec3 &pixel) { return 0.2126f * pixel.x + 0.7152f * pixel.y + 0.0722f * pixel.z; }
+
+/// The nth root of a positive number, by + - * / alone, so that libraries have no say in the bits of a picture; n is 3 or 5. The first guess, a
+/// straight line through exponents, is within 6.2 %; steps of Newton's take its relative error e to (n - 1) / 2 e^2, to the rounding of doubles.
+template <int n> double root(double x) {
+    constexpr std::uint64_t bits_of_one = std::bit_cast<std::uint64_t>(1.0);
+    double y = std::bit_cast<double>(bits_of_one - bits_of_one / n + std::bit_cast<std::uint64_t>(x) / n);
+    for (int step = 0; step < 5; ++step) {
+        double power = 1;
+        for (int i = 1; i < n; ++i) power *= y;
+        y += (x / power - y) * (1.0 / n);
+    }
+    return y;
+}
 
 float cut(float radiance) { return std::clamp(radiance, 0.0f, 1.0f); }
 
@@ -23,9 +39,17 @@ float filmic(float radiance) {
 
 }  // namespace
 
-float srgb_encoded(float linear) { return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f; }
+float srgb_encoded(float linear) {
+    if (!(linear > 0.0031308f && linear < std::numeric_limits<float>::infinity())) return float(12.92 * linear);
+    const double root_of_2 = std::sqrt(double(linear)), root_of_4 = std::sqrt(root_of_2);
+    return float(1.055 * root_of_4 * root<3>(root_of_2) - 0.055);  // 5 / 12 = 1 / 4 + 1 / 6
+}
 
-float srgb_decoded(float encoded) { return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f); }
+float srgb_decoded(float encoded) {
+    if (!(encoded > 0.04045f && encoded < std::numeric_limits<float>::infinity())) return float(encoded / 12.92);
+    const double x = (encoded + 0.055) / 1.055;
+    return float(x * x * root<5>(x * x));  // 12 / 5 = 2 + 2 / 5
+}
 
 const std::vector<ToneKind> &tone_kinds() {
     static const std::vector<ToneKind> kinds = {{"srgb", srgb, false}, {"filmic", filmic, false}, {"none", cut, true}};

@@ -6,7 +6,8 @@
 
 namespace brandung {
 
-/// IEC 61966-2-1, of fractions of the brightest value.
+/// IEC 61966-2-1, of fractions of the brightest value: within 0.5001 ulp of a float, and the same bits everywhere. What is negative continues the
+/// curve's straight part.
 float srgb_encoded(float linear);
 float srgb_decoded(float encoded);
 
