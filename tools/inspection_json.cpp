@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "runtime/inspection/reasons.h"
+#include "scene/vectors.h"
 #include "tools/scene_objects.h"
 
 namespace brandung {

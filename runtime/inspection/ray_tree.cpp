@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/vectors.h"
+
 namespace brandung {
 namespace {
 
@@ -88,8 +90,6 @@ std::vector<TracedRay *> all_rays(std::vector<TracedRay> &trees) {
     }
     return rays;
 }
-
-bool is_finite(Spectrum contribution) { return std::isfinite(contribution.x) && std::isfinite(contribution.y) && std::isfinite(contribution.z); }
 
 FixedPoint fixed_point(Spectrum contribution) {
     if (!is_finite(contribution)) return {};

@@ -89,6 +89,5 @@ std::vector<TracedRay *> all_rays(std::vector<TracedRay> &trees);
 /// A contribution as it is added to a sample: per channel, in units of 2^-32. Nothing of one that is not finite is.
 using FixedPoint = std::array<std::int64_t, 3>;
 FixedPoint fixed_point(Spectrum contribution);
-bool is_finite(Spectrum contribution);
 
 }  // namespace brandung

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "scene/vectors.h"
 
 #include "kernels/lights/light.h"
 
 namespace brandung {
 namespace {
-
-float largest(Spectrum s) { return std::max({s.x, s.y, s.z}); }
 
 bool transmits(const Material &material) { return (material.flags & MATERIAL_TRANSMITS) != 0; }
 bool is_total(const TracedRay &ray, const Material &material) { return transmits(material) && ray.description.cosine_squared_beyond < 0; }

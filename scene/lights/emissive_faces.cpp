@@ -4,6 +4,8 @@
 #include <array>
 #include <map>
 
+#include "scene/vectors.h"
+
 namespace brandung {
 namespace {
 
@@ -12,8 +14,6 @@ using Triangle = std::array<uint, 3>;
 using Edges = std::map<std::pair<uint, uint>, std::vector<uint>>;
 
 constexpr uint nobody = 0xffffffffu;
-
-float largest(vec3 v) { return std::max({v.x, v.y, v.z}); }
 
 /// A face at a corner, with the sides that lead from it to two others. The points that kernels make of it have a rounding error of 2^-22 of these
 /// lengths, and the fourth corner of a parallelogram may be off by as much as is_parallelogram allows.

@@ -3,15 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "scene/error.h"
 #include "scene/tone.h"
+#include "scene/vectors.h"
 
 namespace brandung {
 namespace {
-
-bool is_finite(const vec3 &pixel) { return std::isfinite(pixel.x) && std::isfinite(pixel.y) && std::isfinite(pixel.z); }
 
 vec3 encoded(const vec3 &linear) {
     const vec3 inside = glm::clamp(linear, vec3(0), vec3(1));

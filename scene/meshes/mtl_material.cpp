@@ -4,6 +4,7 @@
 
 #include "scene/bsdfs/bsdf.h"
 #include "scene/meshes/mtl.h"
+#include "scene/vectors.h"
 
 namespace brandung {
 namespace {
@@ -11,7 +12,6 @@ namespace {
 constexpr float default_diffuse = 0.6f, default_exponent = 50, default_eta = 1.5f;
 constexpr float largest_exponent = 1e4f;
 
-float largest(Spectrum s) { return std::max({s.x, s.y, s.z}); }
 Spectrum at_most_one(Spectrum s) { return glm::min(s, Spectrum(1)); }
 
 bool is_mirror(int64 illum) { return illum == 3 || illum == 5 || illum == 8; }

@@ -7,6 +7,7 @@
 #include "scene/parameters.h"
 #include "scene/primitives/add.h"
 #include "scene/primitives/kinds.h"
+#include "scene/vectors.h"
 
 namespace brandung {
 namespace {
@@ -25,14 +26,14 @@ std::vector<uint> triangles_with_area(const std::vector<vec3> &vertices) {
 /// By how much the corners may leave the mean plane, as a part of the polygon's size: more than measured rooms do (the Cornell box has 1e-3).
 constexpr double flatness = 1e-2;
 
-/// Whether the corners lie in one plane. The normal is that of the vector area (Newell); without area there is no plane to leave.
+/// Whether the corners lie in one plane. Without area there is no plane to leave.
 bool is_flat(const std::vector<vec3> &vertices) {
     const glm::dvec3 origin(vertices[0]);
-    glm::dvec3 area(0), mean(0);
+    const glm::dvec3 area = area_vector(vertices);
+    glm::dvec3 mean(0);
     double size = 0;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const glm::dvec3 corner = glm::dvec3(vertices[i]) - origin;
-        area += glm::cross(corner, glm::dvec3(vertices[(i + 1) % vertices.size()]) - origin);
+    for (const vec3 &vertex : vertices) {
+        const glm::dvec3 corner = glm::dvec3(vertex) - origin;
         mean += corner / double(vertices.size());
         size = std::max(size, glm::length(corner));
     }

@@ -8,6 +8,7 @@
 
 #include "scene/primitives/point_tree.h"
 #include "scene/primitives/shape.h"
+#include "scene/vectors.h"
 
 namespace brandung {
 namespace {
@@ -48,16 +49,6 @@ double orientation(const Corner &a, const Corner &b, const Corner &c) {
 }
 
 bool same_place(const Corner &a, const Corner &b) { return a.x == b.x && a.y == b.y; }
-
-/// Twice the vector area (Newell).
-glm::dvec3 area_vector(const std::vector<vec3> &polygon) {
-    glm::dvec3 sum(0);
-    const glm::dvec3 origin(polygon[0]);
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-        sum += glm::cross(glm::dvec3(polygon[i]) - origin, glm::dvec3(polygon[i + 1]) - origin);
-    }
-    return sum;
-}
 
 /// Whether a box reaches to the left of the line from a to b, or to the line.
 bool reaches(glm::dvec2 low, glm::dvec2 high, const Corner &a, const Corner &b) {
