@@ -11,6 +11,8 @@ namespace brandung {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  ///< of UTF-8, before texts of some editors
+
 void check_readable(const std::string &file) {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
@@ -29,6 +31,7 @@ std::string file_text(const std::string &file) {
     char part[1 << 16];
     while (stream.read(part, sizeof part) || stream.gcount() > 0) text.append(part, static_cast<std::size_t>(stream.gcount()));
     if (stream.bad()) throw SceneError(file + ": cannot be read: " + std::strerror(errno));
+    if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
     return text;
 }
 

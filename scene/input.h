@@ -10,7 +10,7 @@ using ReadProgress = std::function<void(const std::string &file, double part)>;
 
 /// Throws SceneError if the file does not exist, is a folder, is empty or cannot be opened.
 void check_readable(const std::string &file);
-/// All bytes of a file. Throws SceneError if it cannot be read.
+/// All bytes of a file, without UTF-8's byte order mark. Throws SceneError if it cannot be read.
 std::string file_text(const std::string &file);
 
 }  // namespace brandung

@@ -30,7 +30,10 @@ std::string quoted(std::string_view word) {
 Tokens::Tokens(const std::string &file) : Tokens(file, file_text(file)) {}
 
 Tokens::Tokens(std::string file, std::string text, std::size_t offset, uint line)
-    : file_(std::move(file)), text_(std::move(text)), at_(text_.data() + offset), end_(text_.data() + text_.size()), line_(line) {}
+    : file_(std::move(file)), text_(std::move(text)), at_(text_.data() + offset), end_(text_.data() + text_.size()), line_(line) {
+    // Lines that end with a carriage return alone, as the Macintosh had them.
+    if (text_.find('\n') == std::string::npos) std::replace(text_.begin(), text_.end(), '\r', '\n');
+}
 
 void Tokens::fail_at(uint line, const std::string &why) const { throw SceneError(fmt::format("{}:{}: {}", file_, line, why)); }
 

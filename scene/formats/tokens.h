@@ -10,7 +10,8 @@ namespace brandung {
 /// A word as an error message shows it: in quotes, cut, and without what a terminal may take for commands.
 std::string quoted(std::string_view word);
 
-/// Words are separated by blanks and line ends; `#` begins a comment that ends with the line, and a backslash at its end continues it.
+/// Words are separated by blanks and line ends, which are those of any system; `#` begins a comment that ends with the line, and a backslash at its
+/// end continues it.
 class Tokens {
 public:
     /// Reads the file. Throws SceneError if it cannot.

@@ -4,17 +4,18 @@
 #include <cmath>
 
 #include "scene/primitives/add.h"
+#include "scene/vectors.h"
 
 namespace brandung {
 namespace {
 
-bool is_finite(vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool has_colors(const std::vector<MeshVertex> &corners) {
+    return std::all_of(corners.begin(), corners.end(), [](const MeshVertex &v) { return v.color != MeshVertex::none; });
+}
 
-/// The unit normal of the vector area (Newell); 0 without one.
-glm::dvec3 face_normal(const std::vector<vec3> &polygon) {
-    glm::dvec3 area(0);
-    const glm::dvec3 origin(polygon[0]);
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) area += glm::cross(glm::dvec3(polygon[i]) - origin, glm::dvec3(polygon[i + 1]) - origin);
+/// Of unit length; 0 without area.
+glm::dvec3 face_normal(std::span<const vec3> polygon) {
+    const glm::dvec3 area = area_vector(polygon);
     const double length = glm::length(area);
     return length > 0 ? area / length : glm::dvec3(0);
 }
@@ -57,8 +58,7 @@ bool MeshBuilder::has_uvs(const std::vector<MeshVertex> &corners) const {
 /// Goes on with the last part, or begins one if the face does not fit into it.
 void MeshBuilder::open_part(Normals normals, bool uvs, bool colors) {
     if (part_is_open_ && normals == normals_ && uvs == uvs_ && colors == colors_) return;
-    for (const LocalVertex &local : locals_) first_at_[local.vertex.position] = MeshVertex::none;
-    locals_.clear();
+    locals_.clear(), local_places_.clear();
     parts_.push_back({material_, {}});
     if (normals == Normals::smoothed) smooth_parts_.push_back({parts_.size() - 1, {}});
     part_is_open_ = true, normals_ = normals, uvs_ = uvs, colors_ = colors;
@@ -66,15 +66,13 @@ void MeshBuilder::open_part(Normals normals, bool uvs, bool colors) {
 
 /// The number of a vertex in the last part.
 uint MeshBuilder::local(const MeshVertex &vertex) {
-    uint &first = first_at_[vertex.position];
-    for (uint i = first; i != MeshVertex::none; i = locals_[i].next)
-        if (locals_[i].vertex == vertex) return i;
-    const uint number = uint(locals_.size());
-    locals_.push_back({vertex, first});
-    first = number;
+    const uint hash = hash_of(vertex.position, vertex.uv, vertex.normal, vertex.color);
+    const uint number = local_places_.find_or_add(hash, uint(locals_.size()), [&](uint place) { return locals_[place] == vertex; });
+    if (number < locals_.size()) return number;
+    locals_.push_back(vertex);
     MeshData &mesh = parts_.back().mesh;
     mesh.positions.push_back(tables_.positions[vertex.position]);
-    if (colors_) mesh.colors.push_back(tables_.colors[vertex.position]);
+    if (colors_) mesh.colors.push_back(tables_.colors[vertex.color]);
     if (uvs_) mesh.uvs.push_back(tables_.uvs[vertex.uv]);
     if (normals_ == Normals::own) mesh.normals.push_back(tables_.normals[vertex.normal]);
     if (normals_ == Normals::smoothed) smooth_parts_.back().normals.push_back(vertex.normal);
@@ -83,17 +81,15 @@ uint MeshBuilder::local(const MeshVertex &vertex) {
 
 /// The place of the smoothing group's normal at a position.
 uint MeshBuilder::smooth_normal(uint position) {
-    uint &first = first_smooth_at_[position];
-    for (uint i = first; i != MeshVertex::none; i = smooth_normals_[i].next)
-        if (smooth_normals_[i].group == smoothing_) return i;
-    smooth_normals_.push_back({glm::dvec3(0), smoothing_, first});
-    return first = uint(smooth_normals_.size() - 1);
+    const auto is_at = [&](uint place) { return smooth_normals_[place].position == position && smooth_normals_[place].group == smoothing_; };
+    const uint place = smooth_places_.find_or_add(hash_of(position, smoothing_), uint(smooth_normals_.size()), is_at);
+    if (place == smooth_normals_.size()) smooth_normals_.push_back({glm::dvec3(0), position, smoothing_});
+    return place;
 }
 
 /// Weighs the face's normal by the angle at each corner, which makes the sum independent of how faces are divided (Thürmer and Wüthrich 1998).
 void MeshBuilder::smooth(std::vector<MeshVertex> &corners) {
     const glm::dvec3 normal = face_normal(polygon_);
-    first_smooth_at_.resize(tables_.positions.size(), MeshVertex::none);
     const std::size_t n = corners.size();
     for (std::size_t i = 0; i < n; ++i) {
         corners[i].normal = smooth_normal(corners[i].position);
@@ -113,15 +109,15 @@ void MeshBuilder::add_face(const std::vector<MeshVertex> &corners, std::map<std:
         return;
     }
     const Normals normals = normals_of(corners, warnings);
-    const bool uvs = has_uvs(corners);
-    open_part(normals, uvs, !tables_.colors.empty());
+    const bool uvs = has_uvs(corners), colors = has_colors(corners);
+    open_part(normals, uvs, colors);
     corners_ = corners;
     for (MeshVertex &corner : corners_) {  // what is not used does not tell vertices apart
         if (!uvs) corner.uv = MeshVertex::none;
+        if (!colors) corner.color = MeshVertex::none;
         if (normals == Normals::none) corner.normal = MeshVertex::none;
     }
     if (normals == Normals::smoothed) smooth(corners_);
-    first_at_.resize(tables_.positions.size(), MeshVertex::none);
     vertices_.clear();
     for (const MeshVertex &corner : corners_) vertices_.push_back(local(corner));
     MeshData &mesh = parts_.back().mesh;
@@ -141,8 +137,7 @@ void MeshBuilder::fill_normals(const SmoothPart &smooth) {
         if (glm::length(sum) > 1e-6) mesh.normals[i] = vec3(glm::normalize(sum));
     }
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const std::vector<vec3> triangle = {mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]],
-                                            mesh.positions[mesh.indices[i + 2]]};
+        const vec3 triangle[] = {mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]], mesh.positions[mesh.indices[i + 2]]};
         for (int k = 0; k < 3; ++k) {
             vec3 &normal = mesh.normals[mesh.indices[i + k]];
             if (normal == vec3(0)) normal = vec3(face_normal(triangle));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/meshes/mesh_file.h"
+#include "scene/meshes/place_table.h"
 
 namespace brandung {
 
@@ -15,7 +16,7 @@ struct MeshTables {
     std::vector<vec3> positions;   ///< not finite where the file has no usable one
     std::vector<vec3> normals;     ///< of unit length, or 0 where the file has no usable one
     std::vector<vec2> uvs;         ///< not finite where the file has no usable ones
-    std::vector<Spectrum> colors;  ///< linear, of the positions; empty or as many
+    std::vector<Spectrum> colors;  ///< linear
 
     void add_normal(vec3 normal);
 };
@@ -23,7 +24,7 @@ struct MeshTables {
 /// A corner of a face.
 struct MeshVertex {
     static constexpr uint none = 0xffffffffu;
-    uint position, uv = none, normal = none;
+    uint position, uv = none, normal = none, color = none;
 
     bool operator==(const MeshVertex &) const = default;
 };
@@ -51,15 +52,10 @@ public:
 private:
     /// Where the vertices of a part get their normals from.
     enum class Normals { none, own, smoothed };
-    /// A vertex of the part, and the next one at its position.
-    struct LocalVertex {
-        MeshVertex vertex;
-        uint next;
-    };
-    /// The sum of a smoothing group's normals at a position, and that of the next group there.
+    /// The sum of a smoothing group's normals at a position.
     struct SmoothNormal {
         glm::dvec3 sum;
-        uint group, next;
+        uint position, group;
     };
     /// A part whose normals are known when all faces are.
     struct SmoothPart {
@@ -82,10 +78,10 @@ private:
     bool part_is_open_ = false;  ///< the last part goes on
     bool uvs_ = false, colors_ = false;
     Normals normals_ = Normals::none;  ///< of the last part, as what it has
-    std::vector<uint> first_at_;       ///< by position: place in locals_ of the last part's newest vertex there
-    std::vector<LocalVertex> locals_;
-    std::vector<uint> first_smooth_at_;  ///< by position: place in smooth_normals_
+    std::vector<MeshVertex> locals_;   ///< vertices of the last part
+    PlaceTable local_places_;          ///< of locals_
     std::vector<SmoothNormal> smooth_normals_;
+    PlaceTable smooth_places_;  ///< of smooth_normals_
     std::vector<SmoothPart> smooth_parts_;
     std::vector<MeshVertex> corners_;  // of the face that is added
     std::vector<vec3> polygon_;

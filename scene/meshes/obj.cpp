@@ -39,10 +39,17 @@ struct Reading {
 
 void warn(Reading &reading, const std::string &text) { ++reading.scene.warnings[text]; }
 
-/// From the curve of sRGB; what is not from 0 to 1 is taken as the nearest that is.
-Spectrum linear_color(const float *encoded) {
-    const auto part = [](float value) { return srgb_decoded(std::fmin(std::fmax(value, 0.0f), 1.0f)); };
-    return {part(encoded[0]), part(encoded[1]), part(encoded[2])};
+/// From the curve of sRGB; what is not from 0 to 1 is taken as the nearest that is, and counted.
+Spectrum linear_color(Reading &reading, const float *encoded) {
+    Spectrum color;
+    bool cut = false;
+    for (int c = 0; c < 3; ++c) {
+        const float inside = std::fmin(std::fmax(encoded[c], 0.0f), 1.0f);
+        cut |= inside != encoded[c];
+        color[c] = srgb_decoded(inside);
+    }
+    if (cut) warn(reading, "vertex whose colour is not from 0 to 1: cut");
+    return color;
 }
 
 /// A vertex `x y z`, `x y z w` or `x y z r g b`; colours are sRGB, as programs write them that paint meshes.
@@ -57,7 +64,7 @@ void read_vertex(Reading &reading) {
     const uint color = count >= 6 ? count - 3 : 0;
     if (color == 0 && tables.colors.empty()) return;
     if (tables.colors.empty()) tables.colors.resize(tables.positions.size() - 1, Spectrum(1));
-    tables.colors.push_back(color == 0 ? Spectrum(1) : linear_color(values + color));
+    tables.colors.push_back(color == 0 ? Spectrum(1) : linear_color(reading, values + color));
 }
 
 void read_normal(Reading &reading) {
@@ -103,6 +110,7 @@ MeshVertex read_corner(Reading &reading, std::string_view word, bool &lacks_uv, 
     MeshVertex vertex{.position = place_of(indices[0], tables.positions.size())};
     if (vertex.position == MeshVertex::none)
         reading.tokens.fail(fmt::format("face: there is no vertex {}; the file has {} so far", indices[0], tables.positions.size()));
+    if (!tables.colors.empty()) vertex.color = vertex.position;
     if (given[1]) vertex.uv = place_of(indices[1], tables.uvs.size());
     if (given[2]) vertex.normal = place_of(indices[2], tables.normals.size());
     lacks_uv |= given[1] && vertex.uv == MeshVertex::none, lacks_normal |= given[2] && vertex.normal == MeshVertex::none;

@@ -23,7 +23,7 @@ namespace {
 
 constexpr uint64 elements_between_reports = 1u << 16;
 
-/// What a property of a vertex is.
+/// What a property of a vertex or a face is.
 enum Role { x, y, z, nx, ny, nz, red, green, blue, u, v, roles, other = roles };
 
 struct RoleName {
@@ -59,13 +59,23 @@ Role role_of(const PlyProperty &property) {
     return property.count || found == std::end(role_names) ? other : found->role;
 }
 
+std::vector<Role> roles_of(const PlyElement &element) {
+    std::vector<Role> result(element.properties.size());
+    std::transform(element.properties.begin(), element.properties.end(), result.begin(), role_of);
+    return result;
+}
+
+bool has_all(const std::vector<Role> &given, std::initializer_list<Role> wanted) {
+    return std::all_of(wanted.begin(), wanted.end(), [&](Role role) { return std::find(given.begin(), given.end(), role) != given.end(); });
+}
+
 bool is_index_list(const PlyProperty &property) { return property.count && (property.name == "vertex_indices" || property.name == "vertex_index"); }
 bool is_uv_list(const PlyProperty &property) { return property.count && property.name == "texcoord"; }
 
 /// Colours of whole numbers are sRGB and reach to the largest of their type, others are linear.
 float linear_color(double value, PlyType type) {
     if (is_float(type)) return std::isfinite(value) ? float(std::max(value, 0.0)) : 0;
-    const double largest = std::exp2(8 * bytes_of(type)) - 1;
+    const double largest = std::exp2(8 * bytes_of(type) - is_signed(type)) - 1;
     return srgb_decoded(float(std::clamp(value / largest, 0.0, 1.0)));
 }
 
@@ -87,6 +97,7 @@ public:
             else
                 skip(element);
         }
+        if (values_.has_more()) ++scene_.warnings["data behind the last element: left out"];
         if (std::none_of(header.elements.begin(), header.elements.end(), is_face)) ++scene_.warnings["points without faces: left out"];
         return builder_.finish();
     }
@@ -125,13 +136,9 @@ private:
     }
 
     void read_vertices(const PlyElement &element) {
-        std::vector<Role> at(element.properties.size());
-        std::array<bool, roles + 1> has{};
-        std::transform(element.properties.begin(), element.properties.end(), at.begin(), role_of);
-        for (const Role role : at) has[role] = true;
-        if (!has[x] || !has[y] || !has[z]) values_.fail("element \"vertex\" has not all of the properties x, y and z");
-        normals_ = has[nx] && has[ny] && has[nz], uvs_ = has[u] && has[v];
-        const bool colors = has[red] && has[green] && has[blue];
+        const std::vector<Role> at = roles_of(element);
+        if (!has_all(at, {x, y, z})) values_.fail("element \"vertex\" has not all of the properties x, y and z");
+        normals_ = has_all(at, {nx, ny, nz}), uvs_ = has_all(at, {u, v}), colors_ = has_all(at, {red, green, blue});
         tables_.positions.reserve(element.count);
         std::array<double, roles + 1> value{};
         for (uint64 i = 0; i < element.count; ++i) {
@@ -147,7 +154,7 @@ private:
             }
             tables_.positions.emplace_back(value[x], value[y], value[z]);
             if (normals_) tables_.add_normal({value[nx], value[ny], value[nz]});
-            if (colors) tables_.colors.emplace_back(value[red], value[green], value[blue]);
+            if (colors_) tables_.colors.emplace_back(value[red], value[green], value[blue]);
             if (uvs_) tables_.uvs.emplace_back(value[u], value[v]);
         }
         vertices_ = element.count;
@@ -157,24 +164,30 @@ private:
     void read_faces(const PlyElement &element) {
         if (std::none_of(element.properties.begin(), element.properties.end(), is_index_list))
             values_.fail("element " + brandung::quoted(element.name) + " has no list vertex_indices");
+        const std::vector<Role> at = roles_of(element);
+        const bool colored = has_all(at, {red, green, blue});
         for (uint64 i = 0; i < element.count; ++i) {
             report(i);
             uv_list_.clear();
-            for (const PlyProperty &property : element.properties) {
-                if (is_index_list(property))
-                    read_list(property, indices_);
-                else if (is_uv_list(property))
-                    read_list(property, uv_list_);
-                else
-                    skip(property);
-            }
+            for (std::size_t p = 0; p < at.size(); ++p) read_face_property(element.properties[p], at[p]);
             if (scene_.places) builder_.set_number(faces_);
             ++faces_;
             if (element.name == "face")
-                add_face();
+                add_face(colored);
             else
                 add_strips();
         }
+    }
+
+    void read_face_property(const PlyProperty &property, Role role) {
+        if (is_index_list(property))
+            read_list(property, indices_);
+        else if (is_uv_list(property))
+            read_list(property, uv_list_);
+        else if (role >= red && role <= blue)
+            face_color_[role - red] = linear_color(values_.value(property.type, "colour of a face"), property.type);
+        else
+            skip(property);
     }
 
     void read_list(const PlyProperty &property, std::vector<double> &list) {
@@ -186,11 +199,18 @@ private:
         if (!(index >= 0 && index < double(vertices_) && index == std::floor(index)))
             values_.fail(fmt::format("face: there is no vertex {}; {} have been read", index, vertices_));
         const uint place = uint(index);
-        return {.position = place, .uv = uvs_ ? place : MeshVertex::none, .normal = normals_ ? place : MeshVertex::none};
+        const auto own = [&](bool has) { return has ? place : MeshVertex::none; };
+        return {.position = place, .uv = own(uvs_), .normal = own(normals_), .color = own(colors_)};
     }
 
-    /// Texture coordinates of the face itself, two per corner, go before those of its vertices.
-    void add_face() {
+    /// The place of the face's colour, which those that follow one another share.
+    uint color_place() {
+        if (tables_.colors.empty() || tables_.colors.back() != face_color_) tables_.colors.push_back(face_color_);
+        return uint(tables_.colors.size() - 1);
+    }
+
+    /// Texture coordinates of the face itself, two per corner, and its colour go before those of its vertices.
+    void add_face(bool colored) {
         corners_.clear();
         for (const double index : indices_) corners_.push_back(vertex(index));
         if (!uv_list_.empty() && uv_list_.size() == 2 * corners_.size()) {
@@ -199,6 +219,8 @@ private:
                 tables_.uvs.emplace_back(uv_list_[2 * i], uv_list_[2 * i + 1]);
             }
         }
+        if (colored)
+            for (MeshVertex &corner : corners_) corner.color = color_place();
         builder_.add_face(corners_, scene_.warnings);
     }
 
@@ -221,9 +243,10 @@ private:
     MeshTables tables_;
     MeshBuilder builder_{tables_};
     uint64 vertices_ = 0;
-    uint faces_ = 0;                      ///< so far, and strips
-    bool normals_ = false, uvs_ = false;  ///< whether vertices have them
+    uint faces_ = 0;                                       ///< so far, and strips
+    bool normals_ = false, uvs_ = false, colors_ = false;  ///< whether vertices have them
     std::vector<double> indices_, uv_list_;
+    Spectrum face_color_{0};
     std::vector<MeshVertex> corners_;
 };
 

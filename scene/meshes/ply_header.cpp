@@ -22,7 +22,11 @@ constexpr TypeName type_names[] = {{"int8", "char", 1}, {"uint8", "uchar", 1}, {
 
 class HeaderReader {
 public:
-    HeaderReader(const std::string &file, const std::string &text) : file_(file), text_(text) {}
+    HeaderReader(const std::string &file, const std::string &text) : file_(file), text_(text) {
+        // The first line tells whether lines end with a carriage return alone: behind the last one, a line feed may be data.
+        const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+        if (text.substr(end, 1) == "\r" && text.substr(end, 2) != "\r\n") line_end_ = '\r';
+    }
 
     PlyHeader read() {
         next_line();
@@ -38,7 +42,7 @@ private:
     [[noreturn]] void fail(const std::string &why) const { throw SceneError(fmt::format("{}:{}: {}", file_, std::max(header_.lines, 1u), why)); }
 
     void next_line() {
-        const std::size_t end = text_.find('\n', at_);
+        const std::size_t end = text_.find(line_end_, at_);
         ++header_.lines;
         if (end == std::string::npos) fail("the header has no end: \"end_header\" is missing");
         line_ = std::string_view(text_).substr(at_, end - at_);
@@ -105,6 +109,7 @@ private:
 
     const std::string &file_, &text_;
     PlyHeader header_;
+    char line_end_ = '\n';
     std::size_t at_ = 0;
     std::string_view line_;
     std::vector<std::string_view> words_;
@@ -113,6 +118,7 @@ private:
 }  // namespace
 
 uint bytes_of(PlyType type) { return type_names[int(type)].bytes; }
+bool is_signed(PlyType type) { return type == PlyType::int8 || type == PlyType::int16 || type == PlyType::int32; }
 bool is_float(PlyType type) { return type == PlyType::float32 || type == PlyType::float64; }
 
 PlyHeader read_ply_header(const std::string &file, const std::string &text) { return HeaderReader(file, text).read(); }

@@ -13,6 +13,7 @@ enum class PlyFormat { ascii, little_endian, big_endian };
 
 uint bytes_of(PlyType type);
 bool is_float(PlyType type);
+bool is_signed(PlyType type);
 
 struct PlyProperty {
     std::string name;

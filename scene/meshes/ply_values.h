@@ -1,5 +1,6 @@
 /// The values of PLY files, from text or from bytes: two classes with the same functions.
 #pragma once
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -23,6 +24,8 @@ public:
     /// Bytes that are left, with one for the blank that the last value need not have.
     std::size_t left() const { return tokens_.left() + 1; }
     double part() const { return tokens_.part(); }
+    /// Whether something follows that is no blank.
+    bool has_more() { return !tokens_.at_end(); }
     /// Throws SceneError `file:line: why`.
     [[noreturn]] void fail(const std::string &why) const { tokens_.fail(why); }
 
@@ -64,6 +67,9 @@ public:
     static std::size_t smallest(PlyType type) { return bytes_of(type); }
     std::size_t left() const { return std::size_t(end_ - at_); }
     double part() const { return double(at_ - text_.data()) / double(text_.size()); }
+    bool has_more() const {
+        return std::any_of(at_, end_, [](char c) { return c != ' ' && c != '\n' && c != '\r'; });
+    }
     [[noreturn]] void fail(const std::string &why) const;
 
 private:

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "scene/image.h"
@@ -116,6 +117,49 @@ TEST_F(Obj, LinesMayEndAndContinueInAnyWay) {
     EXPECT_TRUE(warnings().empty());
 }
 
+TEST_F(Obj, AByteOrderMarkIsNoWord) {
+    const auto parts = read("\xef\xbb\xbf" + square + "f 1 2 3\n");
+    EXPECT_EQ(corners_of(parts.at(0)), (std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}));
+    EXPECT_TRUE(warnings().empty());
+}
+
+TEST_F(Obj, LinesMayEndWithCarriageReturnsAlone) {
+    folder.write("old.mtl", "newmtl a\rKd 1 0 0 # red\rKs 0\r");
+    std::string text = "# comment\nmtllib old.mtl\n" + square + "usemtl a\nf 1 2 \\\n3\nf 1 2 5\n";
+    std::replace(text.begin(), text.end(), '\n', '\r');
+    EXPECT_EQ(error(text), "mesh.obj:10: face: there is no vertex 5; the file has 4 so far");
+    text.resize(text.size() - 8);
+    EXPECT_EQ(corners_of(read(text).at(0)), (std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}));
+    EXPECT_EQ(whitted_of(folder.scene.materials.at(0).record).diffuse, Spectrum(1, 0, 0));
+    EXPECT_TRUE(warnings().empty());
+}
+
+/// So many triangles around one vertex, which for each has a normal and a smoothing group of its own.
+std::string fan(int triangles, bool smooth) {
+    std::string text = "v 0 0 1\n";
+    for (int i = 0; i <= triangles; ++i) text += "v " + std::to_string(std::cos(i)) + " " + std::to_string(std::sin(i)) + " 0\nvn 0 0 1\n";
+    for (int i = 1; i <= triangles; ++i) {
+        const std::string n = std::to_string(i);
+        const std::string corner = smooth ? "" : "//" + n;
+        text += "s " + n + "\nf 1" + corner + " " + std::to_string(i + 1) + corner + " " + std::to_string(i + 2) + corner + "\n";
+    }
+    return text;
+}
+
+/// Ten times as many take about ten times as long; where each vertex is compared with all others at its position, a hundred times.
+TEST_F(Obj, ManyVerticesMayLieAtOnePosition) {
+    for (const bool smooth : {false, true}) {
+        const auto seconds = [&](int triangles) {
+            const std::string text = fan(triangles, smooth);
+            const auto begin = std::chrono::steady_clock::now();
+            EXPECT_EQ(read(text).at(0).mesh.positions.size(), 3u * triangles);
+            return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        };
+        const double few = std::min(seconds(4000), seconds(4000));
+        EXPECT_LT(seconds(40000), 30 * few) << smooth;
+    }
+}
+
 /// A circle of 20000 corners on one line.
 TEST_F(Obj, LinesMayBeVeryLong) {
     std::string text, face = "f";
@@ -135,6 +179,13 @@ TEST_F(Obj, VerticesHaveColours) {
     EXPECT_NEAR(colors[1].x, 0.2140f, 1e-4f);
     EXPECT_EQ(colors[2], Spectrum(0, 0, 1));
     EXPECT_EQ(whitted_of(folder.scene.materials.at(parts[0].material).record).diffuse, Spectrum(1));
+}
+
+/// Some programs write 0 to 255.
+TEST_F(Obj, ColoursBeyondOneAreCutAndCounted) {
+    const auto parts = read("v 0 0 0 255 0 0\nv 1 0 0 0 -1 nan\nv 1 1 0 0 1 0\nf 1 2 3\n");
+    EXPECT_EQ(parts.at(0).mesh.colors, (std::vector<Spectrum>{{1, 0, 0}, {0, 0, 0}, {0, 1, 0}}));
+    EXPECT_EQ(warnings(), (std::map<std::string, uint>{{"vertex whose colour is not from 0 to 1: cut", 2}}));
 }
 
 TEST_F(Obj, MaterialsHaveTextures) {

@@ -118,6 +118,72 @@ TEST_F(Ply, ColoursAndTheTextureOfAComment) {
     }
 }
 
+/// char, short and int reach to 127, 32767 and 2147483647; what is negative is black. 64 / 127 is 0.2177 in linear light, 1 / 2 is 0.2140.
+TEST_F(Ply, SignedColoursReachToTheLargestOfTheirType) {
+    struct Case {
+        std::string type, values;
+        float linear;
+    };
+    for (const Case &c : {Case{"char", "127 -1 64", 0.2177f}, {"short", "32767 -1 16383", 0.2140f}, {"int", "2147483647 -1 1073741823", 0.2140f}}) {
+        std::string text = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+        for (const char *name : {"red", "green", "blue"}) text += "property " + c.type + " " + name + "\n";
+        text += "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+        const Spectrum color = read(text + "0 0 0 " + c.values + "\n1 0 0 0 0 0\n0 1 0 0 0 0\n3 0 1 2\n").at(0).mesh.colors.at(0);
+        EXPECT_EQ(color.x, 1) << c.type;
+        EXPECT_EQ(color.y, 0) << c.type;
+        EXPECT_NEAR(color.z, c.linear, 1e-4f) << c.type;
+    }
+}
+
+/// Two triangles with an edge in common, red and green: the vertices of the edge are two each. Before those of vertices, which are blue.
+TEST_F(Ply, FacesMayHaveColoursOfTheirOwn) {
+    for (const bool vertices_too : {false, true}) {
+        const std::string colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n", own = vertices_too ? " 0 0 255\n" : "\n";
+        const auto parts =
+            read("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n" + (vertices_too ? colors : "") +
+                 "element face 2\nproperty list uchar int vertex_indices\n" + colors + "property uchar alpha\nend_header\n0 0 0" + own + "1 0 0" +
+                 own + "1 1 0" + own + "0 1 0" + own + "3 0 1 2 255 0 0 9\n3 0 2 3 0 255 0 9\n");
+        const MeshData &mesh = parts.at(0).mesh;
+        ASSERT_EQ(mesh.indices.size(), 6u);
+        ASSERT_EQ(mesh.colors.size(), 6u);
+        for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(mesh.colors[mesh.indices[i]], i < 3 ? Spectrum(1, 0, 0) : Spectrum(0, 1, 0)) << i;
+        EXPECT_EQ(whitted_of(folder.scene.materials.at(parts[0].material).record).diffuse, Spectrum(1));
+        EXPECT_TRUE(warnings().empty());
+    }
+}
+
+TEST_F(Ply, LinesMayEndWithCarriageReturnsAlone) {
+    std::string text = "\xef\xbb\xbf" + triangle_header + triangle_values;
+    std::replace(text.begin(), text.end(), '\n', '\r');
+    EXPECT_EQ(corners_of(read(text).at(0)), (std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5f}}));
+    std::string header = triangle_header;
+    std::replace(header.begin(), header.end(), '\n', '\r');
+    header.replace(header.find("ascii"), 5, "binary_little_endian");
+    Bytes bytes(false);
+    // The first byte of data is that of a line feed.
+    bytes.add<std::uint32_t>({0x3f80000a}).add<float>({0, 0, 1, 0, 0, 0, 1, 0}).add<std::uint8_t>({3}).add<std::int32_t>({0, 1, 2});
+    EXPECT_EQ(corners_of(read(header + bytes.text).at(0))[0], vec3(std::bit_cast<float>(0x3f80000a), 0, 0));
+    EXPECT_TRUE(warnings().empty());
+}
+
+TEST_F(Ply, DataBehindTheLastElementIsCounted) {
+    Bytes bytes(true);
+    bytes.add<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}).add<std::uint8_t>({3}).add<std::int32_t>({0, 1, 2});
+    std::string header = triangle_header;
+    header.replace(header.find("ascii"), 5, "binary_big_endian");
+    const std::map<std::string, uint> one = {{"data behind the last element: left out", 1}};
+    for (const char *end : {"", "\n", "\r\n \n"}) {
+        read(triangle_header + triangle_values + end);
+        EXPECT_TRUE(warnings().empty());
+        read(header + bytes.text + end);
+        EXPECT_TRUE(warnings().empty());
+    }
+    read(triangle_header + triangle_values + "3 2 1 0\n");
+    EXPECT_EQ(warnings(), one);
+    read(header + bytes.text + std::string(1, '\0'));
+    EXPECT_EQ(warnings(), one);
+}
+
 /// Five vertices in a row of triangles, and another triangle after a restart; every second one turns about.
 TEST_F(Ply, Strips) {
     const std::string text =
