@@ -45,6 +45,8 @@ nlohmann::json hexadecimal_color(const std::string &text) {
 nlohmann::json background_value(const std::string &text) {
     if (text.starts_with('#')) return hexadecimal_color(text);
     const std::vector<float> numbers = numbers_in(text);
+    if (!std::all_of(numbers.begin(), numbers.end(), [](float x) { return std::isfinite(x); }))
+        throw CLI::ValidationError("--background", "expected finite numbers, got '" + text + "'");
     if (numbers.size() == 1) return numbers[0];
     if (numbers.size() == 3) return numbers;
     if (!numbers.empty()) throw CLI::ValidationError("--background", "expected one number or three, got '" + text + "'");

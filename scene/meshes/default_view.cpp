@@ -9,6 +9,7 @@
 
 #include "scene/bounds.h"
 #include "scene/lights/light.h"
+#include "scene/vectors.h"
 
 namespace brandung {
 namespace {
@@ -21,6 +22,7 @@ constexpr double shell_share = 0.1;     ///< a shell is open if its vector area 
 constexpr double light_shift = 0.35;    ///< of the light, up and to the left, as a part of the camera's distance
 constexpr double nearly_straight = 20;  // [degrees]
 constexpr float fill = 0.1f;            ///< ambient light, for what the headlight does not reach
+constexpr double weakest_light = 0.01;  ///< of meshes that need no headlight, as a part of that
 
 template <class Visit> void for_each_vertex(const std::vector<MeshPart> &parts, const Visit &visit) {
     for (const MeshPart &part : parts)
@@ -88,9 +90,22 @@ double distance_to_see(const std::vector<MeshPart> &parts, const dvec3 &at, cons
     return margin * distance;
 }
 
-bool emits(const Scene &scene, const std::vector<MeshPart> &parts) {
-    return std::any_of(parts.begin(), parts.end(),
-                       [&](const MeshPart &part) { return scene.materials[part.material].record.emission != Spectrum(0); });
+double area_of(const MeshData &mesh) {
+    double area = 0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+        area += 0.5 * glm::length(
+                          area_vector({{mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]], mesh.positions[mesh.indices[i + 2]]}}));
+    return area;
+}
+
+/// Whether the meshes light themselves: radiance times area of what shines, seen from as far as the meshes' sphere is wide, is an irradiance that
+/// is not much less than the headlight's, pi.
+bool lights_itself(const Scene &scene, const std::vector<MeshPart> &parts) {
+    if (scene.integrator.light_samples == 0) return false;
+    const double radius = bounding_sphere(parts).radius;
+    double power = 0;
+    for (const MeshPart &part : parts) power += largest(scene.materials[part.material].record.emission) * area_of(part.mesh);
+    return power >= weakest_light * std::numbers::pi * radius * radius && power > 0;
 }
 
 }  // namespace
@@ -123,7 +138,7 @@ void add_default_view(const std::vector<MeshPart> &parts, const ViewChanges &cha
     const CameraDescription camera = framing_camera(parts, scene.film, changes);
     scene.cameras.push_back(camera);
     scene.notes.push_back("camera: " + view_options(camera));
-    if (parts.empty() || view_fault(camera) || emits(scene, parts)) return;
+    if (parts.empty() || view_fault(camera) || lights_itself(scene, parts)) return;
     const Light light = headlight(parts, camera);
     scene.lights.push_back(light);
     scene.ambient = Spectrum(fill);

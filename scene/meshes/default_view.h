@@ -17,7 +17,8 @@ CameraDescription framing_camera(const std::vector<MeshPart> &parts, const FilmS
 /// It has the irradiance pi at every distance: a surface that faces it has its diffuse reflectance as radiance, whatever the scale.
 Light headlight(const std::vector<MeshPart> &parts, const CameraDescription &camera);
 
-/// Adds the two where the scene lacks them, and says so in its notes; `parts` are the scene's meshes.
+/// Adds the camera and says so in the scene's notes; the headlight too, unless `parts`, the scene's meshes, light themselves: their emission must
+/// be sampled, and give a hundredth of the headlight's irradiance at the distance of their bounding sphere's radius.
 void add_default_view(const std::vector<MeshPart> &parts, const ViewChanges &changes, Scene &scene);
 
 }  // namespace brandung

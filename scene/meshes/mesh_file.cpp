@@ -1,5 +1,7 @@
 #include "scene/meshes/mesh_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -12,7 +14,21 @@
 namespace brandung {
 namespace {
 
-using ReadParts = std::vector<MeshPart> (*)(const std::string &file, const std::string &prefix, Scene &scene, const ReadProgress &progress);
+using ReadParts = std::vector<MeshPart> (*)(const std::string &file, const MaterialPrefix &prefix, Scene &scene, const ReadProgress &progress);
+
+/// Why a file has nothing that can be seen.
+std::string why_nothing(const Scene &scene) {
+    std::string why;
+    for (const auto &[text, count] : scene.warnings) why += fmt::format("{}{} ({})", why.empty() ? "; " : ", ", text, count);
+    return why;
+}
+
+/// Refuses a file without triangles, and one for which no camera can be found though none was asked for.
+void check_view(const Scene &scene, const ViewChanges &changes) {
+    if (scene.shapes.empty()) throw SceneError(scene.file + ": has no faces with an area, so that nothing of it can be seen" + why_nothing(scene));
+    if (!changes.from && !changes.at && scene.cameras[0].from == scene.cameras[0].at)
+        throw SceneError(scene.file + ": is so small and so far from the origin that floats have no place for a camera beside it; --from gives one");
+}
 
 /// A file of meshes as a scene: what else a scene needs is chosen for it.
 Scene read_as_scene(const std::string &file, const ReadOptions &options, ReadParts read) {
@@ -23,13 +39,17 @@ Scene read_as_scene(const std::string &file, const ReadOptions &options, ReadPar
     std::vector<MeshPart> parts = read(file, "", scene, options.progress);
     add_default_view(parts, options.view, scene);
     for (MeshPart &part : parts) add_triangle_mesh(scene, part.material, std::move(part.mesh), before_numbers(file));
+    check_view(scene, options.view);
     return scene;
 }
 
-std::string extension_of(const std::string &file) {
+/// The reader of files with this extension. Throws SceneError if there is none.
+ReadParts reader_of(const std::string &file) {
     std::string extension = std::filesystem::path(file).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    return extension;
+    if (extension == ".obj") return read_obj;
+    if (extension == ".ply") return read_ply;
+    throw SceneError(file + ": unknown format of meshes \"" + extension + "\"; known by extension: .obj .ply");
 }
 
 }  // namespace
@@ -38,14 +58,16 @@ Scene read_obj_scene(const std::string &file, const ReadOptions &options) { retu
 Scene read_ply_scene(const std::string &file, const ReadOptions &options) { return read_as_scene(file, options, read_ply); }
 
 /// Lines of text can be looked up, bytes have none.
-std::string before_numbers(const std::string &file) { return extension_of(file) == ".ply" ? file + ": face " : file + ":"; }
+std::string before_numbers(const std::string &file) { return reader_of(file) == read_ply ? file + ": face " : file + ":"; }
 
-std::vector<MeshPart> read_mesh_file(const std::string &file, const std::string &prefix, Scene &scene, const ReadProgress &progress) {
+void check_mesh_file(const std::string &file) {
     check_readable(file);
-    const std::string extension = extension_of(file);
-    if (extension == ".obj") return read_obj(file, prefix, scene, progress);
-    if (extension == ".ply") return read_ply(file, prefix, scene, progress);
-    throw SceneError(file + ": unknown format of meshes \"" + extension + "\"; known by extension: .obj .ply");
+    reader_of(file);
+}
+
+std::vector<MeshPart> read_mesh_file(const std::string &file, const MaterialPrefix &prefix, Scene &scene, const ReadProgress &progress) {
+    check_mesh_file(file);
+    return reader_of(file)(file, prefix, scene, progress);
 }
 
 uint add_material(Scene &scene, const std::string &name, const Material &material) {

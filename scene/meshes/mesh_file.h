@@ -1,5 +1,6 @@
 /// Files that hold nothing but meshes.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,19 +11,24 @@ namespace brandung {
 
 /// Triangles with one material.
 struct MeshPart {
-    uint material;  ///< index into Scene::materials
+    uint material;  ///< index into Scene::materials, if materials are read
     MeshData mesh;  ///< with numbers of lines or faces, if the scene keeps places
 };
 /// What goes before the numbers of a file's meshes.
 std::string before_numbers(const std::string &file);
 
-/// What a file has, in its order. Materials go to the scene: under their own names after `prefix`, those of which it has one of that name being
-/// taken as they are. Throws SceneError `file:line: why`; what is left out is a counted warning of the scene.
-std::vector<MeshPart> read_obj(const std::string &file, const std::string &prefix, Scene &scene, const ReadProgress &progress);
-std::vector<MeshPart> read_ply(const std::string &file, const std::string &prefix, Scene &scene, const ReadProgress &progress);
+/// What stands before the names of a file's materials in the scene; without it materials, their libraries and textures are not read.
+using MaterialPrefix = std::optional<std::string>;
+
+/// What a file has, in its order. Materials go to the scene, those of which it has one of that name being taken as they are. Throws SceneError
+/// `file:line: why`; what is left out is a counted warning of the scene.
+std::vector<MeshPart> read_obj(const std::string &file, const MaterialPrefix &prefix, Scene &scene, const ReadProgress &progress);
+std::vector<MeshPart> read_ply(const std::string &file, const MaterialPrefix &prefix, Scene &scene, const ReadProgress &progress);
 
 /// One of the two, by the file's extension. Throws SceneError.
-std::vector<MeshPart> read_mesh_file(const std::string &file, const std::string &prefix, Scene &scene, const ReadProgress &progress);
+std::vector<MeshPart> read_mesh_file(const std::string &file, const MaterialPrefix &prefix, Scene &scene, const ReadProgress &progress);
+/// Throws SceneError if the file cannot be read, or its extension is none of the two.
+void check_mesh_file(const std::string &file);
 
 /// The place in the scene of the material `name`; it is made of `material` if it is not there yet.
 uint add_material(Scene &scene, const std::string &name, const Material &material);

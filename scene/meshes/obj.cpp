@@ -24,9 +24,10 @@ constexpr uint lines_between_reports = 1u << 14;
 
 /// What has been read so far. Faces name vertices by number, so that what they name is kept whole.
 struct Reading {
-    Reading(const std::string &file, Scene &scene) : file(file), tokens(file), scene(scene) {}
+    Reading(const std::string &file, const MaterialPrefix &prefix, Scene &scene) : file(file), prefix(prefix), tokens(file), scene(scene) {}
 
     const std::string &file;
+    const MaterialPrefix &prefix;
     Tokens tokens;
     Scene &scene;
     MeshTables tables;
@@ -175,6 +176,7 @@ std::vector<std::string> library_names(const std::string &line, const fs::path &
 }
 
 void read_library(Reading &reading) {
+    if (!reading.prefix) return reading.tokens.skip_line();
     const fs::path folder = fs::path(reading.file).parent_path();
     for (const std::string &name : library_names(reading.tokens.rest_of_line(), folder)) {
         const fs::path path = folder / name;
@@ -251,38 +253,38 @@ uint texture(Scene &scene, const fs::path &folder, std::string name) {
 }
 
 /// The scene's number of the material `name`.
-uint scene_material(const Reading &reading, const std::string &name, const std::string &prefix) {
+uint scene_material(const Reading &reading, const std::string &name) {
     std::map<std::string, uint> &warnings = reading.scene.warnings;
     const MtlMaterial *found = find_material(reading.library, name);
     if (!found) ++warnings["material that no library has: grey"];
     Material material = found ? make_material(*found, warnings) : default_mesh_material(!reading.tables.colors.empty());
     if (found) material.diffuse_texture = texture(reading.scene, found->folder, found->map_kd);
     if (found) material.specular_texture = texture(reading.scene, found->folder, found->map_ks);
-    return add_material(reading.scene, prefix + name, material);
+    return add_material(reading.scene, *reading.prefix + name, material);
 }
 
 /// Gives parts, whose materials are the reader's, those of the scene.
-void set_materials(const Reading &reading, const std::string &prefix, std::vector<MeshPart> &parts) {
+void set_materials(const Reading &reading, std::vector<MeshPart> &parts) {
     std::vector<const std::string *> names(reading.materials.size());
     for (const auto &[name, number] : reading.materials) names[number] = &name;
     std::map<uint, uint> known;
     for (MeshPart &part : parts) {
         const auto [entry, added] = known.emplace(part.material, 0);
         if (added && part.material == MeshBuilder::no_material)
-            entry->second = add_material(reading.scene, prefix + "no material", default_mesh_material(!reading.tables.colors.empty()));
+            entry->second = add_material(reading.scene, *reading.prefix + "no material", default_mesh_material(!reading.tables.colors.empty()));
         else if (added)
-            entry->second = scene_material(reading, *names[part.material], prefix);
+            entry->second = scene_material(reading, *names[part.material]);
         part.material = entry->second;
     }
 }
 
 }  // namespace
 
-std::vector<MeshPart> read_obj(const std::string &file, const std::string &prefix, Scene &scene, const ReadProgress &progress) {
-    Reading reading(file, scene);
+std::vector<MeshPart> read_obj(const std::string &file, const MaterialPrefix &prefix, Scene &scene, const ReadProgress &progress) {
+    Reading reading(file, prefix, scene);
     read_statements(reading, progress);
     std::vector<MeshPart> parts = reading.builder.finish();
-    set_materials(reading, prefix, parts);
+    if (prefix) set_materials(reading, parts);
     return parts;
 }
 

@@ -267,16 +267,17 @@ std::vector<MeshPart> read_with(const std::string &file, std::string text, const
 
 }  // namespace
 
-std::vector<MeshPart> read_ply(const std::string &file, const std::string &prefix, Scene &scene, const ReadProgress &progress) {
+std::vector<MeshPart> read_ply(const std::string &file, const MaterialPrefix &prefix, Scene &scene, const ReadProgress &progress) {
     std::string text = file_text(file);
     const PlyHeader header = read_ply_header(file, text);
     const auto read = header.format == PlyFormat::ascii ? read_with<PlyText> : read_with<PlyBytes>;
     std::vector<MeshPart> parts = read(file, std::move(text), header, scene, progress);
+    if (!prefix) return parts;
     const bool colors = std::any_of(parts.begin(), parts.end(), [](const MeshPart &part) { return !part.mesh.colors.empty(); });
     const std::string texture = texture_file(header);
     Material material = default_mesh_material(colors || !texture.empty());
     if (!texture.empty()) material.diffuse_texture = add_texture(scene, (std::filesystem::path(file).parent_path() / texture).string());
-    const uint number = add_material(scene, prefix + "no material", material);
+    const uint number = add_material(scene, *prefix + "no material", material);
     for (MeshPart &part : parts) part.material = number;
     return parts;
 }

@@ -503,7 +503,7 @@ TEST(BadDevice, KernelCacheThatCannotBeWrittenIsNamed) {
 TEST(CliBadInput, BackgroundsThatAreNeitherColourNorPicture) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.json", native_scene());
-    for (const char *background : {"1,2", "1,2,3,4", "#12345", "#1234567", "#12345g"})
+    for (const char *background : {"1,2", "1,2,3,4", "nan", "1,inf,0", "#12345", "#1234567", "#12345g"})
         expect_render_fails(folder, scene, {"--background", background}, 2, {"--background", background});
     expect_render_fails(folder, scene, {"--background", "-1"}, 1, {"/background", "must be not negative"});
     expect_render_fails(folder, scene, {"--background", folder.path("none.hdr")}, 1, {"/background/image", "none.hdr: no such file"});

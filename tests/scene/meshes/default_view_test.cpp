@@ -92,9 +92,46 @@ TEST(DefaultView, IsThatOfFilesWithoutCamerasAndLights) {
     const Scene lamp = read_scene(folder.write("lamp.obj", "mtllib lamp.mtl\n" + triangle + "usemtl lamp\nf 1 2 3\n"));
     EXPECT_TRUE(lamp.lights.empty());
     EXPECT_EQ(lamp.notes.size(), 1u);
-    const Scene nothing = read_scene(folder.write("nothing.obj", triangle));
-    EXPECT_EQ(nothing.cameras.size(), 1u);
-    EXPECT_TRUE(nothing.shapes.empty());
+}
+
+/// A triangle of area 1/2 in a sphere of radius sqrt(1/2): its emission L gives the irradiance L, of which 0.01 pi = 0.0314 suffice.
+TEST(DefaultView, HasNoLightWhereMeshesLightThemselves) {
+    MeshFolder folder;
+    const std::string file = folder.write("lamp.obj", "mtllib lamp.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl lamp\nf 1 2 3\n");
+    const auto lights = [&](const std::string &emission, const std::vector<std::string> &settings) {
+        folder.write("lamp.mtl", "newmtl lamp\nKe " + emission + "\n");
+        return read_scene(file, {settings, {}, {}}).lights.size();
+    };
+    EXPECT_EQ(lights("0 0.032 0", {}), 0u);
+    EXPECT_EQ(lights("0 0.031 0", {}), 1u);
+    EXPECT_EQ(lights("0 0.032 0", {"integrator.light_samples=0"}), 1u);
+}
+
+std::string error_of(const std::string &file, const ViewChanges &changes = {}) try {
+    read_scene(file, {{}, changes, {}});
+    return "";
+} catch (const SceneError &error) {
+    return std::string(error.what()).substr(file.size());
+}
+
+TEST(DefaultView, MeshesWithNothingToSeeAreErrorsThatSayWhy) {
+    MeshFolder folder;
+    const std::string none = ": has no faces with an area, so that nothing of it can be seen";
+    EXPECT_EQ(error_of(folder.write("points.obj", "v 1 2 3\n")), none);
+    EXPECT_EQ(error_of(folder.write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\nf 1 1 1\n")), none + "; triangle without area: left out (2)");
+    EXPECT_EQ(error_of(folder.write("point.obj", "v 1e9 0 0\nf 1 1 1\n")), none + "; triangle without area: left out (1)");
+}
+
+/// Floats around 1e8 are 8 apart: an eye at a sixth of that from the middle would be in it.
+TEST(DefaultView, MeshesWithoutAPlaceForTheirCameraAreErrors) {
+    MeshFolder folder;
+    const std::string far = folder.write("far.obj", "v 1e8 0 0\nv 1e8 1 0\nv 1e8 0 1\nf 1 2 3\n");
+    const float wide = glm::radians(179.9f);
+    EXPECT_EQ(error_of(far, {{}, {}, {}, wide}),
+              ": is so small and so far from the origin that floats have no place for a camera beside it; --from gives one");
+    EXPECT_EQ(error_of(far, {vec3(0), {}, {}, wide}), "");
+    const std::string near = folder.write("near.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_EQ(error_of(near, {vec3(1), vec3(1), {}, {}}), ": camera \"camera\", as changed: \"at\" must differ from \"from\"");
 }
 
 TEST(ViewChanges, ReplaceWhatTheyHave) {
@@ -141,7 +178,30 @@ TEST(MeshObject, IsAFileOfTheScenesFolderWithMaterialsOfItsOwnOrTheScenes) {
     };
     EXPECT_NE(error("blue.obj").find("scene.json:3: /objects/0/file: "), std::string::npos);
     EXPECT_NE(error("blue.obj").find("blue.obj: no such file"), std::string::npos);
+    EXPECT_NE(error("red.mtl").find("scene.json:3: /objects/0/file: "), std::string::npos);
     EXPECT_NE(error("red.mtl").find("red.mtl: unknown format of meshes \".mtl\"; known by extension: .obj .ply"), std::string::npos);
+}
+
+/// Neither libraries nor textures, and no warnings of them.
+TEST(MeshObject, WithAMaterialOfTheScenesReadsNoneOfItsFile) {
+    MeshFolder folder;
+    const std::string ply =
+        "ply\nformat ascii 1.0\ncomment TextureFile none.png\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    folder.write("a.ply", ply);
+    folder.write("a.mtl", "newmtl a\nmap_Kd none.png\nfoo\n");
+    folder.write("a.obj", "mtllib a.mtl none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n");
+    const auto read = [&](const std::string &material) {
+        return read_scene(folder.write("scene.json", R"({"camera": {"from": [0, 0, 5], "at": [0, 0, 0]}, "ambient": 1,
+"materials": [{"name": "green", "type": "whitted"}],
+"objects": [{"type": "mesh", "file": "a.obj")" + material +
+                                                         R"(}, {"type": "mesh", "file": "a.ply")" + material + "}]}"));
+    };
+    const Scene scene = read(R"(, "material": "green")");
+    EXPECT_EQ(scene.shapes.size(), 3u);
+    EXPECT_EQ(scene.materials.size(), 1u);
+    EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.begin()->first;
+    EXPECT_EQ(read("").warnings.size(), 4u) << "no texture, no library, no material, an unknown statement";
 }
 
 }  // namespace
