@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <filesystem>
-#include <iterator>
 #include <set>
 
 #include "scene/formats/tokens.h"
@@ -47,41 +45,6 @@ void read_illum(Reading &reading) {
     reading.material().illum = illum;
 }
 
-/// Options of textures and how many words follow them at most; numbers end where something else follows.
-struct TextureOption {
-    std::string_view name;
-    uint words;
-};
-constexpr TextureOption texture_options[] = {{"-blendu", 1},  {"-blendv", 1}, {"-boost", 1},  {"-mm", 2},        {"-o", 3},
-                                             {"-s", 3},       {"-t", 3},      {"-texres", 1}, {"-clamp", 1},     {"-bm", 1},
-                                             {"-imfchan", 1}, {"-type", 1},   {"-cc", 1},     {"-colorspace", 1}};
-
-bool is_number(std::string_view word) {
-    float value;
-    const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return error == std::errc() && stop == word.data() + word.size();
-}
-
-/// The name of a texture, between its options; names may have blanks.
-std::string texture_file(Tokens &tokens) {
-    while (!tokens.at_line_end()) {
-        const auto option =
-            std::find_if(std::begin(texture_options), std::end(texture_options), [&](const TextureOption &o) { return o.name == tokens.peek(); });
-        if (option == std::end(texture_options)) break;
-        tokens.word();
-        if (option->words == 1)
-            tokens.word_on_line();
-        else
-            for (uint i = 0; i < option->words && !tokens.at_line_end() && is_number(tokens.peek()); ++i) tokens.word();
-    }
-    std::string file = tokens.rest_of_line();
-    for (const TextureOption &option : texture_options) {
-        const std::size_t found = file.find(" " + std::string(option.name) + " ");
-        if (found != std::string::npos) file.resize(file.find_last_not_of(" \t", found) + 1);
-    }
-    return file;
-}
-
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
@@ -105,8 +68,8 @@ void read_statement(Reading &reading, const std::string &key) {
     if (key == "pr") return read_number(reading, material.roughness);
     if (key == "pm") return read_number(reading, material.metallic);
     if (key == "illum") return read_illum(reading);
-    if (key == "map_kd") return void(material.map_kd = texture_file(tokens));
-    if (key == "map_ks") return void(material.map_ks = texture_file(tokens));
+    if (key == "map_kd") return void(material.map_kd = read_mtl_texture(tokens.rest_of_line(), reading.warnings));
+    if (key == "map_ks") return void(material.map_ks = read_mtl_texture(tokens.rest_of_line(), reading.warnings));
     tokens.skip_line();
     if (is_one_of(key, {"ka", "map_ka"})) return;
     if (is_left_out(key))

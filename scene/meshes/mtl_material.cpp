@@ -11,6 +11,8 @@ namespace {
 
 constexpr float default_diffuse = 0.6f, default_exponent = 50, default_eta = 1.5f;
 constexpr float largest_exponent = 1e4f;
+constexpr float smooth_reflectance = 0.04f;  ///< of what is no metal, seen straight on
+constexpr int64 default_illum = 2;
 
 Spectrum at_most_one(Spectrum s) { return glm::min(s, Spectrum(1)); }
 
@@ -19,48 +21,57 @@ bool is_glass(int64 illum) { return illum == 4 || illum == 6 || illum == 7 || il
 bool has_highlight(int64 illum) { return illum > 1; }
 
 /// A texture shows as it is where nothing but black is said beside it.
-Spectrum reflectance(const std::optional<Spectrum> &given, const std::string &texture, float missing) {
-    const bool by_texture = !texture.empty() && given.value_or(Spectrum(0)) == Spectrum(0);
+Spectrum reflectance(const std::optional<Spectrum> &given, const MtlTexture &texture, float missing) {
+    const bool by_texture = !texture.file.empty() && given.value_or(Spectrum(0)) == Spectrum(0);
     return by_texture ? Spectrum(1) : given.value_or(Spectrum(missing));
 }
 
+/// Whether decimal fractions in a file mean the same.
+bool same(float a, float b) { return std::abs(a - b) <= 1e-3f; }
+
 /// How much of what is behind the surface it hides.
 float opacity(const MtlMaterial &mtl, std::map<std::string, uint> &warnings) {
-    if (mtl.d && mtl.tr && *mtl.d != 1 - *mtl.tr) ++warnings["material whose d and Tr contradict each other: d counts"];
+    if (mtl.d && mtl.tr && !same(*mtl.d, 1 - *mtl.tr)) ++warnings["material whose d and Tr contradict each other: d counts"];
     const float opacity = std::clamp(mtl.d ? *mtl.d : mtl.tr ? 1 - *mtl.tr : 1, 0.0f, 1.0f);
-    if (opacity == 0) ++warnings["material that is invisible (d 0 or Tr 1)"];
+    if (opacity == 0 && !is_glass(mtl.illum.value_or(default_illum))) ++warnings["material that is invisible (d 0 or Tr 1)"];
     return opacity;
 }
 
 Spectrum filter(const MtlMaterial &mtl, std::map<std::string, uint> &warnings) {
     const Spectrum tf = at_most_one(mtl.tf.value_or(Spectrum(1)));
-    if (largest(tf) >= 0.5f) return tf;
-    ++warnings["material of glass whose Tf is below 0.5: taken as opacity"];
+    const bool grey = same(tf.x, tf.y) && same(tf.x, tf.z);
+    if (!grey || largest(tf) >= 0.5f) return tf;
+    ++warnings["material of glass whose Tf is grey below 0.5: taken as opacity"];
     return Spectrum(1) - tf;
 }
 
-void make_metallic(Whitted &whitted, float roughness, float metallic) {
-    const float sharp = metallic * (1 - roughness) * (1 - roughness);
+/// Roughness and metallic: no more light leaves a point than falls on it.
+void make_metallic(const MtlMaterial &mtl, Whitted &whitted, std::map<std::string, uint> &warnings) {
+    const float roughness = std::clamp(mtl.roughness.value_or(0.5f), 0.0f, 1.0f), metallic = std::clamp(mtl.metallic.value_or(0), 0.0f, 1.0f);
     const float squared = std::max(roughness * roughness, 1e-3f);
-    whitted.specular = glm::mix(Spectrum(0.04f), whitted.diffuse, metallic);
-    whitted.exponent = std::clamp((2 / (squared * squared) - 2) / 4, 1.0f, largest_exponent);
+    float sharp = metallic * (1 - roughness) * (1 - roughness);
+    if (sharp > 0 && !mtl.map_kd.file.empty()) {
+        ++warnings["metal with a texture, which cannot colour mirror images: its reflections are diffuse"];
+        sharp = 0;
+    }
     whitted.reflection = at_most_one(whitted.diffuse) * sharp;
-    whitted.diffuse *= 1 - sharp;
+    whitted.specular = glm::mix(Spectrum(smooth_reflectance), whitted.diffuse, sharp);
+    whitted.exponent = std::clamp((2 / (squared * squared) - 2) / 4, 1.0f, largest_exponent);
+    whitted.diffuse *= (1 - smooth_reflectance) * (1 - sharp);
 }
 
 }  // namespace
 
 Material make_material(const MtlMaterial &mtl, std::map<std::string, uint> &warnings) {
-    const int64 illum = mtl.illum.value_or(2);
+    const int64 illum = mtl.illum.value_or(default_illum);
     const float opaque = opacity(mtl, warnings);
     Whitted whitted{};
     whitted.diffuse = reflectance(mtl.kd, mtl.map_kd, default_diffuse);
     whitted.specular = has_highlight(illum) ? reflectance(mtl.ks, mtl.map_ks, 0) : Spectrum(0);
     whitted.exponent = std::max(mtl.ns.value_or(default_exponent), 1.0f);
-    if (mtl.roughness || mtl.metallic)
-        make_metallic(whitted, std::clamp(mtl.roughness.value_or(0.5f), 0.0f, 1.0f), std::clamp(mtl.metallic.value_or(0), 0.0f, 1.0f));
+    if (mtl.roughness || mtl.metallic) make_metallic(mtl, whitted, warnings);
     float eta = 1;
-    if (is_mirror(illum)) {
+    if (is_mirror(illum) && !mtl.metallic) {
         whitted.reflection = at_most_one(mtl.ks.value_or(Spectrum(1)));
         whitted.diffuse *= Spectrum(1) - whitted.reflection;
     }

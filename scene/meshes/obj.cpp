@@ -247,16 +247,27 @@ const MtlMaterial *find_material(const std::map<std::string, MtlMaterial> &libra
 }
 
 /// As Material has it. Files that were written on Windows have backslashes between folders.
-uint texture(Scene &scene, const fs::path &folder, std::string name) {
+uint texture(Scene &scene, const fs::path &folder, const MtlTexture &texture) {
+    std::string name = texture.file;
     std::replace(name.begin(), name.end(), '\\', '/');
-    return name.empty() ? 0 : add_texture(scene, (folder / name).string());
+    return name.empty() ? 0
+                        : add_texture(scene, (folder / name).string(), {texture.clamps ? TextureWrap::clamp : TextureWrap::repeat, texture.encoding});
 }
 
-/// The scene's number of the material `name`.
-uint scene_material(const Reading &reading, const std::string &name) {
+/// Of a material's textures the one by which its meshes' texture coordinates are changed: they have one set of them.
+const MtlTexture &placing_texture(const MtlMaterial &material) { return material.map_kd.file.empty() ? material.map_ks : material.map_kd; }
+
+void place_textures(const MtlTexture &texture, std::vector<vec2> &uvs) {
+    if (texture.is_placed_as({})) return;
+    for (vec2 &uv : uvs) uv = texture.scale * uv + texture.offset;
+}
+
+/// The scene's number of the material `name`, which is `found` in a library, if in any.
+uint scene_material(const Reading &reading, const std::string &name, const MtlMaterial *found) {
     std::map<std::string, uint> &warnings = reading.scene.warnings;
-    const MtlMaterial *found = find_material(reading.library, name);
     if (!found) ++warnings["material that no library has: grey"];
+    if (found && !found->map_ks.file.empty() && !found->map_ks.is_placed_as(placing_texture(*found)))
+        ++warnings["material whose textures have different scales or offsets: those of map_Kd count"];
     Material material = found ? make_material(*found, warnings) : default_mesh_material(!reading.tables.colors.empty());
     if (found) material.diffuse_texture = texture(reading.scene, found->folder, found->map_kd);
     if (found) material.specular_texture = texture(reading.scene, found->folder, found->map_ks);
@@ -269,11 +280,14 @@ void set_materials(const Reading &reading, std::vector<MeshPart> &parts) {
     for (const auto &[name, number] : reading.materials) names[number] = &name;
     std::map<uint, uint> known;
     for (MeshPart &part : parts) {
+        const bool none = part.material == MeshBuilder::no_material;
+        const MtlMaterial *found = none ? nullptr : find_material(reading.library, *names[part.material]);
+        if (found) place_textures(placing_texture(*found), part.mesh.uvs);
         const auto [entry, added] = known.emplace(part.material, 0);
-        if (added && part.material == MeshBuilder::no_material)
+        if (added && none)
             entry->second = add_material(reading.scene, *reading.prefix + "no material", default_mesh_material(!reading.tables.colors.empty()));
         else if (added)
-            entry->second = scene_material(reading, *names[part.material]);
+            entry->second = scene_material(reading, *names[part.material], found);
         part.material = entry->second;
     }
 }

@@ -45,7 +45,7 @@ TEST_P(MeshFiles, GiveTheirTrianglesOrSayWhyNot) {
 INSTANTIATE_TEST_SUITE_P(
     Data, MeshFiles,
     testing::Values(
-        MeshFile{"obj-parser-cases/catmark_torus_creases0.obj", 64, 40}, MeshFile{"obj-parser-cases/colorspace-issue-184.obj", 1, 3},
+        MeshFile{"obj-parser-cases/catmark_torus_creases0.obj", 64, 40}, MeshFile{"obj-parser-cases/colorspace-issue-184.obj", 1, 4},
         MeshFile{"obj-parser-cases/cornell_box.obj", 36, 0}, MeshFile{"obj-parser-cases/cornell_box_multimaterial.obj", 36, 0},
         MeshFile{"obj-parser-cases/cube-vertex-w-component.obj", 12, 0}, MeshFile{"obj-parser-cases/cube-vertexcol.obj", 12, 0},
         MeshFile{"obj-parser-cases/cube.obj", 12, 0},
@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
         MeshFile{"obj-parser-cases/refl.obj", 12, 1}, MeshFile{"obj-parser-cases/skin-weight.obj", 12, 0},
         MeshFile{"obj-parser-cases/smoothing-group-two-squares.obj", 3, 2}, MeshFile{"obj-parser-cases/smoothing-normal.obj", 6, 0},
         MeshFile{"obj-parser-cases/test-nan.obj", 34, 1}, MeshFile{"obj-parser-cases/texture-filename-with-whitespace.obj", 12, 2},
-        MeshFile{"obj-parser-cases/texture-options-issue-85.obj", 1, 10}, MeshFile{"obj-parser-cases/tr-and-d-issue-43.obj", 400, 2},
+        MeshFile{"obj-parser-cases/texture-options-issue-85.obj", 1, 13}, MeshFile{"obj-parser-cases/tr-and-d-issue-43.obj", 400, 2},
         MeshFile{"obj-parser-cases/usemtl-issue-104.obj", 6, 0}, MeshFile{"obj-parser-cases/usemtl-issue-68.obj", 400, 0},
         MeshFile{"stanford-bunny.obj", 69451, 0}, MeshFile{"teapot-spd-s8.obj", 4160, 3}, MeshFile{"stanford-dragon-res3.ply", 47794, 0},
         MeshFile{"mcguire-cornell-box/CornellBox-Empty-CO.obj", 12, 0}, MeshFile{"mcguire-cornell-box/CornellBox-Empty-RG.obj", 12, 0},

@@ -199,6 +199,22 @@ TEST_F(Obj, MaterialsHaveTextures) {
     EXPECT_EQ(warnings().size(), 1u);
 }
 
+/// Of (0.5, 1): scaled by (2, 1), moved by (0, 0.25).
+TEST_F(Obj, OptionsOfTexturesMoveTextureCoordinates) {
+    write_picture(folder.write("t.exr", ""), {1, 1, {vec3(1)}, {}}, PictureStyle());
+    folder.write("t.mtl",
+                 "newmtl moved\nmap_Kd -s 2 1 -o 0 0.25 -clamp on t.exr\nnewmtl specular\nmap_Ks -s 2 1 -o 0 0.25 t.exr\nnewmtl both\n"
+                 "map_Kd -s 2 1 -o 0 0.25 t.exr\nmap_Ks -s 3 t.exr\nnewmtl as_it_is\nmap_Kd t.exr\n");
+    const auto parts = read("mtllib t.mtl\n" + square + "vt 0.5 1\nusemtl moved\nf 1/1 2/1 3/1\no second\nf 1/1 2/1 3/1\nusemtl specular\n" +
+                            "f 1/1 2/1 3/1\nusemtl both\nf 1/1 2/1 3/1\nusemtl as_it_is\nf 1/1 2/1 3/1\n");
+    ASSERT_EQ(parts.size(), 5u);
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(parts[i].mesh.uvs.at(0), i < 4 ? vec2(1, 1.25f) : vec2(0.5f, 1)) << i;
+    ASSERT_EQ(folder.scene.textures.size(), 2u);
+    EXPECT_EQ(folder.scene.textures[0].options.wrap, TextureWrap::clamp);
+    EXPECT_EQ(folder.scene.textures[1].options.wrap, TextureWrap::repeat);
+    EXPECT_EQ(warnings(), (std::map<std::string, uint>{{"material whose textures have different scales or offsets: those of map_Kd count", 1}}));
+}
+
 TEST_F(Obj, WhatCannotBeSeenIsCounted) {
     const auto parts = read(square +
                             "v nan 0 0\nv 1.#IND 1.#INF -1.#IND\nv 1e30 0 0\nvn 0 0 0\nvn 0 0 1\n"
