@@ -24,8 +24,7 @@ struct MtlMaterial {
 /// In the order of the file. Throws SceneError `file:line: why`; what cannot be used is a counted warning.
 std::vector<MtlMaterial> read_mtl(const std::string &file, std::map<std::string, uint> &warnings);
 
-/// Whitted's surface for a material, by this table; `warnings` counts what is doubtful. T is what passes through: 1 - d where d < 1, else 1, times
-/// Tf.
+/// Whitted's surface for a material, by this table; `warnings` counts what is doubtful. t is the share that passes glass: 1 - d where d < 1, else 1.
 ///
 /// | statement | becomes |
 /// |---|---|
@@ -35,9 +34,9 @@ std::vector<MtlMaterial> read_mtl(const std::string &file, std::map<std::string,
 /// | Ke | `emission` |
 /// | d, Tr = 1 - d | with illum 0 to 3, 5, 8: `transmission` 1 - d with `eta` 1, and all else times d. Of both, d counts |
 /// | illum 3, 5, 8 without Pm | mirror: `reflection` Ks, `diffuse` times 1 - Ks |
-/// | illum 4, 7, 9 | glass: `fresnel`, `reflection` 1, `transmission` T, `eta` Ni (missing: 1.5), `diffuse` times 1 - T |
+/// | illum 4, 7, 9 | glass: `fresnel`, `reflection` 1, `transmission` t, `eta` Ni (missing: 1.5), `diffuse` times 1 - t |
 /// | illum 6 | the same without Fresnel's reflectance: `reflection` Ks |
-/// | Tf | filters what glass lets through; grey below 0.5 is opacity, as 3ds Max writes it, and counts as 1 - Tf |
+/// | Tf | filters what glass lets through: `transmission` t Tf; grey below 0.5 it is opacity, as 3ds Max writes it, and t is times 1 - Tf instead |
 /// | Pr, Pm | roughness r, metallic m, of which s = m (1 - r)^2 is sharp: `reflection` s Kd, `specular` from 0.04 to Kd by s, `exponent`
 /// (2 / r^4 - 2) / 4, `diffuse` times 0.96 (1 - s): reflections that Whitted's method cannot blur are given to the diffuse part, and with map_Kd
 /// all, since pictures do not colour mirrors |

@@ -37,12 +37,16 @@ float opacity(const MtlMaterial &mtl, std::map<std::string, uint> &warnings) {
     return opacity;
 }
 
-Spectrum filter(const MtlMaterial &mtl, std::map<std::string, uint> &warnings) {
+/// Glass: what does not pass it is diffuse, but what its filter keeps is lost.
+void make_glass(const MtlMaterial &mtl, float opaque, Whitted &whitted, std::map<std::string, uint> &warnings) {
     const Spectrum tf = at_most_one(mtl.tf.value_or(Spectrum(1)));
-    const bool grey = same(tf.x, tf.y) && same(tf.x, tf.z);
-    if (!grey || largest(tf) >= 0.5f) return tf;
-    ++warnings["material of glass whose Tf is grey below 0.5: taken as opacity"];
-    return Spectrum(1) - tf;
+    const bool is_opacity = same(tf.x, tf.y) && same(tf.x, tf.z) && largest(tf) < 0.5f;
+    if (is_opacity) ++warnings["material of glass whose Tf is grey below 0.5: taken as opacity"];
+    const float through = (opaque < 1 ? 1 - opaque : 1) * (is_opacity ? 1 - tf.x : 1);
+    whitted.fresnel = mtl.illum != 6;
+    whitted.reflection = whitted.fresnel ? Spectrum(1) : at_most_one(mtl.ks.value_or(Spectrum(0)));
+    whitted.transmission = through * (is_opacity ? Spectrum(1) : tf);
+    whitted.diffuse *= 1 - through;
 }
 
 /// Roughness and metallic: no more light leaves a point than falls on it.
@@ -76,10 +80,7 @@ Material make_material(const MtlMaterial &mtl, std::map<std::string, uint> &warn
         whitted.diffuse *= Spectrum(1) - whitted.reflection;
     }
     if (is_glass(illum)) {
-        whitted.fresnel = illum != 6;
-        whitted.reflection = whitted.fresnel ? Spectrum(1) : at_most_one(mtl.ks.value_or(Spectrum(0)));
-        whitted.transmission = filter(mtl, warnings) * (opaque < 1 ? 1 - opaque : 1);
-        whitted.diffuse *= Spectrum(1) - whitted.transmission;
+        make_glass(mtl, opaque, whitted, warnings);
         eta = mtl.ni.value_or(0) > 0 ? *mtl.ni : default_eta;
     } else if (opaque < 1) {
         for (Spectrum *part : {&whitted.diffuse, &whitted.specular, &whitted.reflection}) *part *= opaque;
