@@ -39,9 +39,6 @@ struct CompiledScene {
     std::map<std::string, uint> warnings;  ///< the scene's and those found here: text -> how often
 };
 
-/// Groups that have instances, in order: what others hold is left out.
-std::vector<std::size_t> groups_in_use(const Scene &scene);
-
 /// Throws SceneError if the scene is too big, or names an unknown accelerator.
 CompiledScene compile(const Scene &scene);
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "kernels/primitives/instance.h"
+#include "scene/compilation/spaces.h"
 
 namespace brandung {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "kernels/primitives/instance.h"
-#include "scene/compile.h"
+#include "scene/compilation/spaces.h"
 #include "scene/lights/light.h"
 
 namespace brandung {

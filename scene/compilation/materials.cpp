@@ -1,0 +1,76 @@
+#include <algorithm>
+
+#include "scene/compilation/parts.h"
+#include "scene/compilation/spaces.h"
+
+namespace brandung {
+namespace {
+
+/// By material: whether something of the scene has it.
+std::vector<bool> materials_in_use(const Scene &scene) {
+    std::vector<bool> used(scene.materials.size()), shows_its_own(scene.groups.size());
+    const auto add = [&](const Shapes &shapes) {
+        for (const auto &shape : shapes) used.at(shape->material) = true;
+    };
+    add(scene.shapes);
+    for (const PlacedGroup &instance : scene.instances) {
+        if (instance.material == NO_MATERIAL)
+            shows_its_own[instance.group] = true;
+        else
+            used.at(instance.material) = true;
+    }
+    for (std::size_t g = 0; g < scene.groups.size(); ++g)
+        if (shows_its_own[g]) add(scene.groups[g].shapes);
+    return used;
+}
+
+bool has_eye_in(const Scene &scene, const std::string &material) {
+    return std::any_of(scene.cameras.begin(), scene.cameras.end(), [&](const CameraDescription &camera) {
+        return std::find(camera.inside.begin(), camera.inside.end(), material) != camera.inside.end();
+    });
+}
+
+void count_media(const Scene &scene, const std::vector<bool> &used, CompiledScene &compiled) {
+    if (!compiled.transmits) return;
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        const auto &[name, material] = scene.materials[m];
+        compiled.media += (material.flags & MATERIAL_TRANSMITS) != 0 && (used[m] || has_eye_in(scene, name));
+    }
+    while (compiled.interior_size < std::min(compiled.media, max_interior_size)) compiled.interior_size = std::max(1u, 2 * compiled.interior_size);
+}
+
+void add_textures(const Scene &scene, const std::vector<Material> &used_materials, CompiledScene &compiled, Arena &arena) {
+    std::vector<bool> used(scene.textures.size());
+    const auto use = [&](uint number) {
+        if (number > 0) used.at(number - 1) = true;
+    };
+    for (const Material &material : used_materials) use(material.diffuse_texture), use(material.specular_texture);
+    use(scene.background_texture);
+    TexturePixels pixels = pixels_of(scene.textures, used);
+    compiled.header.textures = arena.add(pixels.records);
+    compiled.header.background_texture = scene.background_texture;
+    compiled.header.background_turn = scene.background_turn;
+    compiled.texels = std::move(pixels.texels);
+    compiled.tints |= !compiled.texels.empty();
+}
+
+}  // namespace
+
+void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
+    const std::vector<bool> used = materials_in_use(scene);
+    std::vector<Material> materials, used_materials;
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        const Material &material = materials.emplace_back(scene.materials[m].record);
+        if (!used[m]) continue;
+        used_materials.push_back(material);
+        compiled.reflects |= (material.flags & MATERIAL_REFLECTS) != 0;
+        compiled.transmits |= (material.flags & MATERIAL_TRANSMITS) != 0;
+        compiled.highlights |= (material.flags & MATERIAL_HIGHLIGHT) != 0;
+    }
+    count_media(scene, used, compiled);
+    add_textures(scene, used_materials, compiled, arena);
+    compiled.bsdfs = kinds_of(used_materials);
+    compiled.header.materials = arena.add(materials);
+}
+
+}  // namespace brandung

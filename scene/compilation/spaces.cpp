@@ -1,0 +1,69 @@
+#include "scene/compilation/spaces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "kernels/core/items.h"
+#include "scene/error.h"
+
+namespace brandung {
+namespace {
+
+Space space_of(const Shapes &shapes, std::size_t first) {
+    Space space{{}, static_cast<uint>(first)};
+    for (const auto &shape : shapes)
+        for (std::size_t i = 0; i < shape->count(); ++i) space.primitives.push_back({shape.get(), i});
+    return space;
+}
+
+/// The world, then the groups in use.
+std::vector<const Shapes *> shapes_in_use(const Scene &scene) {
+    std::vector<const Shapes *> result = {&scene.shapes};
+    for (const std::size_t group : groups_in_use(scene)) result.push_back(&scene.groups[group].shapes);
+    return result;
+}
+
+}  // namespace
+
+std::vector<std::size_t> groups_in_use(const Scene &scene) {
+    std::set<std::size_t> used;
+    for (const PlacedGroup &instance : scene.instances) used.insert(instance.group);
+    return {used.begin(), used.end()};
+}
+
+std::size_t place_in(const std::vector<std::size_t> &used, std::size_t group) {
+    return static_cast<std::size_t>(std::lower_bound(used.begin(), used.end(), group) - used.begin());
+}
+
+bool is_textured(const Material &material) { return material.diffuse_texture != 0 || material.specular_texture != 0; }
+
+std::vector<Space> spaces_in_use(const Scene &scene) {
+    std::vector<Space> spaces;
+    std::size_t count = 0;
+    for (const Shapes *shapes : shapes_in_use(scene)) {
+        spaces.push_back(space_of(*shapes, count));
+        count += spaces.back().primitives.size();
+        if (count > MAX_PRIMITIVES) throw SceneError(fmt::format("{}: {} primitives are too many", scene.file, count));
+    }
+    const std::vector<std::size_t> used = groups_in_use(scene);
+    for (const PlacedGroup &instance : scene.instances) {
+        if (instance.material == NO_MATERIAL || !is_textured(scene.materials.at(instance.material).record)) continue;
+        spaces[1 + place_in(used, instance.group)].is_textured = true;
+    }
+    return spaces;
+}
+
+std::vector<const PrimitiveKind *> primitive_kinds_in_use(const Scene &scene) {
+    std::set<const PrimitiveKind *> used;
+    for (const Shapes *shapes : shapes_in_use(scene))
+        for (const auto &shape : *shapes)
+            if (shape->count() > 0) used.insert(&shape->kind());
+    std::vector<const PrimitiveKind *> kinds;
+    for (const PrimitiveKind *kind : primitive_kinds())
+        if (used.contains(kind)) kinds.push_back(kind);
+    return kinds;
+}
+
+}  // namespace brandung
