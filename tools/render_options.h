@@ -1,0 +1,35 @@
+/// What brandung render is told.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/outputs.h"
+#include "tools/preview/target.h"
+#include "tools/scene_options.h"
+
+namespace brandung {
+
+struct RenderCommandOptions : SceneOptions {
+    OutputOptions outputs;
+    std::string stats;
+    std::vector<std::string> previews;
+    std::string preview_hold;
+    std::optional<double> save_every;  ///< [s]
+    std::optional<uint> turntable;     ///< pictures
+    uint pictures() const { return turntable.value_or(1); }
+    OutputOptions outputs_of(uint picture) const { return turntable ? numbered(outputs, picture) : outputs; }
+    bool explain = false, quiet = false;
+};
+
+/// `options` must live until the command has run.
+void add_render_options(CLI::App &command, RenderCommandOptions &options);
+
+/// Of two files in one place the later would replace the earlier. Throws CLI::ValidationError.
+void check_distinct(const RenderCommandOptions &options);
+/// Throws CLI::ValidationError.
+std::vector<PreviewTarget> preview_targets(const RenderCommandOptions &options);
+/// Seconds that the page stays after the render; nothing where nothing is said. Throws CLI::ValidationError.
+std::optional<double> hold_seconds(const RenderCommandOptions &options);
+
+}  // namespace brandung

@@ -1,0 +1,88 @@
+#include "tools/render_sequence.h"
+
+#include <fmt/core.h>
+
+#include <numbers>
+
+#include "scene/error.h"
+#include "scene/view.h"
+#include "tools/interruption.h"
+#include "tools/render_messages.h"
+
+namespace brandung {
+namespace {
+
+/// Progress of a picture as a part of them all.
+class Sequence {
+public:
+    explicit Sequence(uint pictures) : pictures_(pictures) {}
+    RenderProgress whole(const RenderProgress &of_picture) const {
+        const std::uint64_t samples = of_picture.samples_total;
+        return {done_ * samples + of_picture.samples_done, pictures_ * samples, seconds_now() - start_};
+    }
+    void begin_next() { ++done_; }
+
+private:
+    std::uint64_t pictures_, done_ = 0;
+    double start_ = seconds_now();
+};
+
+/// Writes the pictures so far now and then, but not the last, which are written anyway; where that fails the render goes on.
+Observer saving(double every, const OutputOptions &outputs, Job &job, PhaseSeconds seconds, ProgressLine &progress) {
+    return {every, [&, outputs, seconds](const RenderProgress &done) mutable {
+                if (done.samples_done == done.samples_total) return true;
+                seconds.render = done.seconds;
+                try {
+                    write_outputs(outputs, job, seconds, {false, "", done.samples_done, done.samples_total}, true);
+                } catch (const SceneError &error) {
+                    progress.clear();
+                    fmt::print(stderr, "warning: {}\n", error.what());
+                }
+                return true;
+            }};
+}
+
+/// Who is told of every picture alike.
+std::vector<Observer> observers_of_all(const Sequence &sequence, Job &job, Preview &preview, ProgressLine &progress) {
+    std::vector<Observer> observers = {{0, [&](const RenderProgress &of_picture) {
+                                            progress.show(sequence.whole(of_picture));
+                                            return !is_interrupted();
+                                        }}};
+    if (preview.active())
+        observers.push_back({0, [&](const RenderProgress &of_picture) {
+                                 preview.after_batch(sequence.whole(of_picture), job);
+                                 print_faults(preview, progress);
+                                 return true;
+                             }});
+    return observers;
+}
+
+}  // namespace
+
+std::pair<RenderEnd, float> render_pictures(const RenderCommandOptions &options, Job &job, PhaseSeconds &seconds, Preview &preview,
+                                            ProgressLine &progress) {
+    Sequence sequence(options.pictures());
+    const std::vector<Observer> of_all = observers_of_all(sequence, job, preview, progress);
+    RenderEnd all{.complete = true, .failure = "", .samples_done = 0, .samples_total = 0};
+    float exposure = 0;
+    double write_seconds = 0;
+    for (uint picture = 0; picture < options.pictures() && all.complete; ++picture) {
+        const OutputOptions outputs = options.outputs_of(picture);
+        if (picture > 0) {
+            job.renderer.look_from(turned(job.camera, 2 * std::numbers::pi * picture / options.pictures()));
+            job.film.clear();
+            if (job.aovs) job.aovs->clear();
+            sequence.begin_next();
+        }
+        std::vector<Observer> observers = of_all;
+        if (options.save_every) observers.push_back(saving(*options.save_every, outputs, job, seconds, progress));
+        const RenderEnd end = timed(seconds.render, [&] { return job.renderer.render(job.film, observers, job.aovs ? &*job.aovs : nullptr); });
+        progress.clear();
+        exposure = timed(write_seconds, [&] { return write_outputs(outputs, job, seconds, end, false); });
+        all = {end.complete, end.failure, all.samples_done + end.samples_done, options.pictures() * end.samples_total};
+    }
+    seconds.write = write_seconds;
+    return {all, exposure};
+}
+
+}  // namespace brandung

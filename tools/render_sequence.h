@@ -1,0 +1,15 @@
+/// The pictures of a render, one after another: a turntable's, or one.
+#pragma once
+#include <utility>
+
+#include "tools/preview/preview.h"
+#include "tools/progress.h"
+#include "tools/render_options.h"
+
+namespace brandung {
+
+/// Renders and writes the pictures one after another, each from a camera turned further. Gives the end of them all, and the exposure of the last.
+std::pair<RenderEnd, float> render_pictures(const RenderCommandOptions &options, Job &job, PhaseSeconds &seconds, Preview &preview,
+                                            ProgressLine &progress);
+
+}  // namespace brandung
