@@ -76,6 +76,22 @@ TEST(Aovs, OfASphereFollowFromItsGeometry) {
     EXPECT_NEAR(double(hits), M_PI * std::pow(0.3464 / 0.3640 * 12.5, 2), 25);
 }
 
+/// Colours of vertices on a wall of reflectance 1/2, and a picture of one colour around the scene, by which its background of (1/4, 2, 0) is
+/// multiplied.
+TEST(Aovs, AlbedoHasTheColoursOfPicturesAndVertices) {
+    Scene scene = camera_at({0, 0, 4}, 8, 4, 1);
+    scene.textures.push_back({"", {.wrap = TextureWrap::panorama}, {1, 1, {{0.5f, 0.25f, 1}}, {}}});
+    scene.background_texture = 1;
+    MeshData wall{.positions = {{0, -50, 0}, {0, 50, 0}, {-50, 0, 0}}, .indices = {0, 1, 2}};
+    wall.colors = std::vector<Spectrum>(3, {0.25f, 1, 0.5f});
+    add_triangle_mesh(scene, add_material(scene, matte(0.5f)), std::move(wall));
+    const Channels channels = render_aovs(scene);
+    for (std::size_t i = 0; i < 8 * 4; ++i) {
+        const vec3 expected = i % 8 < 4 ? vec3(0.125f, 0.5f, 0.25f) : vec3(0.125f, 0.5f, 0);
+        EXPECT_LT(glm::length(at(channels, i, "albedo.R", "albedo.G", "albedo.B") - expected), 1e-6f) << "means with weights that add up to 1";
+    }
+}
+
 AffineMap moved_by(glm::dvec3 way) { return {glm::dmat3(1), way}; }
 
 /// A ball of the world at x = -2, and of a group at 0, 2 and, out of sight behind that, 2 again: who is hit is known by where.

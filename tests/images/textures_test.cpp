@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "scene/bsdfs/bsdf.h"
 #include "tests/support/rendering.h"
@@ -119,6 +120,33 @@ TEST(Textures, OnCylindersVGrowsFromTheBaseToTheApex) {
         const double t = (-b - std::sqrt(discriminant)) / a;
         const dvec3 p = dvec3(0, 0, 2) + d * t;
         return glm::dvec2(0.5 + std::atan2(p.x, p.z) / (2 * pi), 0.5 + p.y / 8);
+    });
+}
+
+// A sphere and a cylinder, placed in the world by a turn that brings their y axis to -z, by a mirror, and by a stretch along x: the point p of the
+// world lies at q in the group's space, whose picture is that of the sphere, or of the cylinder of radius 1 from -1 (v = 0) to 1, there.
+TEST(Textures, OfSpheresAndCylindersGoWithTheirInstances) {
+    Scene scene = scene_seen_from({0, 0, 3.5f}, {0, 0, 0});
+    const uint material = add_textured(scene, add_gradient(scene));
+    add_sphere(scene, material, {0, 0, 0}, 1);
+    const uint sphere = add_group(scene, "sphere", std::exchange(scene.shapes, {}));
+    add_frustum(scene, material, {0, -1, 0}, 1, {0, 1, 0}, 1);
+    const uint cylinder = add_group(scene, "cylinder", std::exchange(scene.shapes, {}));
+    const AffineMap stretched = then(rotation(-60, {1, 0, 0}), scaling({-2, 1, 1}));
+    ASSERT_FALSE(add_instance(scene, sphere, then(stretched, translation({0, 2, 0}))));
+    ASSERT_FALSE(add_instance(scene, cylinder, then(stretched, translation({0, -2, 0}))));
+    const glm::dmat3 to_group = glm::inverse(stretched.linear);
+    expect_places(scene, [&](uint x, uint y) -> std::optional<glm::dvec2> {
+        const bool is_sphere = y < size / 2;
+        const dvec3 o = to_group * (dvec3(0, 0, 3.5) - dvec3(0, is_sphere ? 2 : -2, 0)), d = to_group * direction_of(x, y);
+        const dvec3 across = is_sphere ? dvec3(1) : dvec3(1, 0, 1);
+        const double a = glm::dot(d * across, d), b = glm::dot(o * across, d), c = glm::dot(o * across, o) - 1, discriminant = b * b - a * c;
+        if (discriminant < 0.02 * a * a) return {};
+        dvec3 q = o + d * (-b - std::sqrt(discriminant)) / a;
+        if (!is_sphere && std::abs(q.y) > 1) q = o + d * (-b + std::sqrt(discriminant)) / a;  // through the open end
+        const double u = 0.5 + std::atan2(q.x, q.z) / (2 * pi), v = is_sphere ? 1 - std::acos(q.y) / pi : 0.5 + q.y / 2;
+        if (std::abs(q.y) > 0.95 || std::abs(u - 0.5) > 0.48) return {};  // where the picture's edges meet
+        return glm::dvec2(u, v);
     });
 }
 

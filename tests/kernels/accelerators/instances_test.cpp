@@ -38,14 +38,15 @@ std::vector<Ray> rays_towards(vec3 place, float size, uint count) {
 
 vec3 applied(const AffineMap &map, vec3 p) { return vec3(map.linear * glm::dvec3(p) + map.offset); }
 
-/// A bumpy closed mesh around the origin, with normals to the outside.
+/// A bumpy closed mesh around the origin, with the normals of a sphere.
 MeshData bumpy_mesh() {
     constexpr uint columns = 24, rows = 12;
     MeshData mesh;
     for (uint row = 0; row <= rows; ++row)
         for (uint column = 0; column < columns; ++column) {
             const double theta = M_PI * row / rows, phi = 2 * M_PI * column / columns, r = 1 + 0.1 * std::sin(3 * phi) * std::sin(theta);
-            mesh.positions.push_back(vec3(r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi), r * std::cos(theta)));
+            const glm::dvec3 direction(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+            mesh.positions.push_back(vec3(r * direction)), mesh.normals.push_back(vec3(direction));
         }
     for (uint row = 0; row < rows; ++row)
         for (uint column = 0; column < columns; ++column) {
@@ -55,9 +56,11 @@ MeshData bumpy_mesh() {
     return mesh;
 }
 
-/// In the world; in a mirror the order of vertices is the other one.
+/// In the world; in a mirror the order of vertices is the other one. Normals go by the inverse transposed, and are not made unit length, so that
+/// means of them go with them.
 MeshData baked(MeshData mesh, const AffineMap &map) {
     for (vec3 &p : mesh.positions) p = applied(map, p);
+    for (vec3 &n : mesh.normals) n = vec3(glm::inverse(glm::transpose(map.linear)) * glm::dvec3(n));
     if (glm::determinant(map.linear) < 0)
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) std::swap(mesh.indices[i], mesh.indices[i + 1]);
     return mesh;
@@ -124,6 +127,23 @@ TEST(Instances, AStretchedMeshIsWhereItWouldBeInTheWorld) {
     ASSERT_FALSE(add_instance(instanced, make_group(instanced), map));
     add_triangle_mesh(in_world, 0, baked(bumpy_mesh(), map));
     expect_same_surfaces(instanced, in_world, {1, 2, 3}, 1);
+}
+
+/// A square whose shading normal n leans far away from its own, g. Stretched along x by s, normals go with (1/s, 1, 1): g = (1, 1, 0) / √2 and
+/// n ~ (1, -0.8, 0) have a positive product, but (1/s, 1, 0) and (1/s, -0.8, 0) one of 1/s² - 0.8. What is shaded must not be the other side.
+TEST(Instances, ShadingNormalsStayOnTheSideOfTheSurface) {
+    MeshData square;
+    square.positions = {{1, -1, -1}, {1, -1, 1}, {-1, 1, 1}, {-1, 1, -1}}, square.indices = {0, 2, 1, 0, 3, 2};
+    square.normals = std::vector<vec3>(4, vec3(glm::normalize(glm::dvec3(1, -0.8, 0))));
+    for (const double factor : {1.0, 3.0, -3.0}) {
+        const AffineMap map = then(scaling({factor, 1, 1}), translation({1, 2, 3}));
+        Scene instanced = empty_scene(), in_world = empty_scene();
+        add_one_of_each_kind(instanced), add_one_of_each_kind(in_world);
+        add_triangle_mesh(instanced, 0, square);
+        ASSERT_FALSE(add_instance(instanced, make_group(instanced), map));
+        add_triangle_mesh(in_world, 0, baked(square, map));
+        expect_same_surfaces(instanced, in_world, {1, 2, 3}, 1);
+    }
 }
 
 TEST(Instances, ASphereIsWhereItWouldBeInTheWorld) {

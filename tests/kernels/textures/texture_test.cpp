@@ -45,6 +45,14 @@ TEST(Texture, RepeatedPicturesMixAcrossTheirEdges) {
               (std::vector<Spectrum>{top, top, all, all, green, red, blue, red}));
 }
 
+// A quarter of the way from the last texel's middle, at 3/4, to the first's, at 5/4: v grows upwards, so that the last row's is at 1/4.
+TEST(Texture, RepeatedPicturesMixTheLastTexelWithTheFirst) {
+    const Spectrum right = (green * 3.0f + red) / 4.0f, below = (blue * 3.0f + red) / 4.0f;
+    const Spectrum corner = (right * 3.0f + (white * 3.0f + blue) / 4.0f) / 4.0f;
+    EXPECT_EQ(colors_at({{0.875f, 0.75f}, {0.25f, 0.125f}, {0.875f, 0.625f}, {1.875f, -0.25f}}, 0),
+              (std::vector<Spectrum>{right, below, corner, right}));
+}
+
 TEST(Texture, ClampedPicturesGoOnAsTheirEdges) {
     EXPECT_EQ(colors_at({{0, 0.75f}, {-3, 7}, {1, 1}, {0.5f, 1}, {9, -9}, {0, 0}}, TEXTURE_CLAMPS_U | TEXTURE_CLAMPS_V),
               (std::vector<Spectrum>{red, red, green, (red + green) / 2.0f, white, blue}));
