@@ -106,7 +106,7 @@ float write_outputs(const OutputOptions &options, Job &job, const PhaseSeconds &
     Picture picture{window.width(), window.height(), job.film.develop(), {}};
     if (film.crop) picture.left = window.left, picture.top = window.top, picture.whole_width = film.width, picture.whole_height = film.height;
     if (job.aovs) picture.channels = job.aovs->develop(job.film);
-    if (film.automatic_exposure) style.exposure = automatic_exposure(picture.pixels);
+    if (film.automatic_exposure) style.exposure = options.exposure ? *options.exposure : automatic_exposure(picture.pixels);
     if (std::any_of(options.files.begin(), options.files.end(), stores_metadata))
         picture.metadata = metadata(job, seconds, end, running, style.exposure);
     for (const std::string &file : options.files) write_picture(file, picture, style);

@@ -12,6 +12,7 @@ namespace brandung {
 struct OutputOptions {
     std::vector<std::string> files, bits;
     std::optional<uint> quality;
+    std::optional<float> exposure;  ///< [EV] that has been chosen already, where it is automatic
 };
 
 /// `options` must live until the command has run.

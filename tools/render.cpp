@@ -64,7 +64,8 @@ int render(const RenderCommandOptions &options) {
     seconds.total = seconds_now() - start;
     if (!options.stats.empty()) write_text(options.stats, statistics(job, seconds, end).dump(2) + "\n");
     print_losses(job);
-    if (scene.film.automatic_exposure) fmt::print(stderr, "exposure: --exposure {}\n", exposure);
+    if (scene.film.automatic_exposure)
+        fmt::print(stderr, "exposure: --exposure {}{}\n", exposure, options.turntable ? ", which the first picture has chosen" : "");
     preview.hold(end.complete ? hold : std::nullopt, [&, complete = end.complete] { return complete && is_interrupted(); });
     print_faults(preview, progress);
     return status_of(end);

@@ -64,14 +64,16 @@ std::pair<RenderEnd, float> render_pictures(const RenderCommandOptions &options,
     Sequence sequence(options.pictures());
     const std::vector<Observer> of_all = observers_of_all(sequence, job, preview, progress);
     RenderEnd all{.complete = true, .failure = "", .samples_done = 0, .samples_total = 0};
-    float exposure = 0;
+    std::optional<float> exposure;
     double write_seconds = 0;
     for (uint picture = 0; picture < options.pictures() && all.complete; ++picture) {
-        const OutputOptions outputs = options.outputs_of(picture);
+        OutputOptions outputs = options.outputs_of(picture);
+        outputs.exposure = exposure;
         if (picture > 0) {
-            job.renderer.look_from(turned(job.camera, 2 * std::numbers::pi * picture / options.pictures()));
+            const CameraDescription camera = turned(job.camera, 2 * std::numbers::pi * picture / options.pictures());
+            job.renderer.look_from(camera);
             job.film.clear();
-            if (job.aovs) job.aovs->clear();
+            if (job.aovs) job.aovs->begin(camera);
             sequence.begin_next();
         }
         std::vector<Observer> observers = of_all;
@@ -82,7 +84,7 @@ std::pair<RenderEnd, float> render_pictures(const RenderCommandOptions &options,
         all = {end.complete, end.failure, all.samples_done + end.samples_done, options.pictures() * end.samples_total};
     }
     seconds.write = write_seconds;
-    return {all, exposure};
+    return {all, exposure.value()};
 }
 
 }  // namespace brandung

@@ -8,7 +8,8 @@
 
 namespace brandung {
 
-/// Renders and writes the pictures one after another, each from a camera turned further. Gives the end of them all, and the exposure of the last.
+/// Renders and writes the pictures one after another, each from a camera turned further. The first one's exposure is that of all.
+/// Gives the end of them all, and that exposure.
 std::pair<RenderEnd, float> render_pictures(const RenderCommandOptions &options, Job &job, PhaseSeconds &seconds, Preview &preview,
                                             ProgressLine &progress);
 

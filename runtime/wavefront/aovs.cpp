@@ -21,13 +21,17 @@ void check_memory(const Device &device, const FilmSettings &film) {
 }
 
 /// 2^38 is more than any coordinate of a hit and any distance from the eye to one: the diagonal of a cube is less than twice its edge.
-float scale_of_lengths(const CompiledScene &compiled, const CameraDescription &camera) {
+float scale_of_lengths(float extent, const CameraDescription &camera) {
     const vec3 from = glm::abs(camera.from);
-    const float reach = 2 * (compiled.header.world.extent + std::max({from.x, from.y, from.z}));
+    const float reach = 2 * (extent + std::max({from.x, from.y, from.z}));
     return reach > 0 ? std::exp2(38 - std::ceil(std::log2(reach))) : 1;
 }
 
 constexpr float scale_of_units = 0x1p32f;
+
+float scale_of(const AovKind &kind, float extent, const CameraDescription &camera) {
+    return kind.what == AovKind::length ? scale_of_lengths(extent, camera) : scale_of_units;
+}
 
 std::string file_of(const AovKind &kind) { return fmt::format("kernels/aovs/{}.cl", kind.name); }
 
@@ -44,16 +48,16 @@ void add_channels(const AovKind &kind, const std::vector<AovPixel> &pixels, floa
 }  // namespace
 
 Aovs::Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, const DeviceScene &on_device, const CameraDescription &camera,
-           uint batch, std::size_t largest_band) {
+           uint batch, std::size_t largest_band)
+    : extent_(compiled.header.world.extent) {
     const Window window = scene.film.window();
     check_memory(device, scene.film);
     const std::size_t largest = std::min<std::size_t>(largest_band, device.info().largest_allocation);
     for (const uint number : scene.film.aovs) {
         const AovKind &kind = aov_kinds()[number];
-        const float scale = kind.what == AovKind::length ? scale_of_lengths(compiled, camera) : scale_of_units;
         if (is_mean(kind))
-            means_.push_back({kind, scale, Kernel(device, file_of(kind), "record_aov", on_device.lists()), Buffer<vec3>(device, batch),
-                              Bands<AovPixel>(device, window, largest)});
+            means_.push_back({kind, scale_of(kind, extent_, camera), Kernel(device, file_of(kind), "record_aov", on_device.lists()),
+                              Buffer<vec3>(device, batch), Bands<AovPixel>(device, window, largest)});
         if (kind.what == AovKind::number)
             numbers_.push_back({kind, Kernel(device, file_of(kind), "record_number", on_device.lists()), Bands<uint>(device, window, largest)});
         if (kind.what == AovKind::count) count_ = &kind;
@@ -61,8 +65,11 @@ Aovs::Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, co
     if (!means_.empty()) add_.emplace(device, "kernels/stages/add_aov.cl", "add_aov", Sources());
 }
 
-void Aovs::clear() {
-    for (Mean &mean : means_) mean.sums.clear();
+void Aovs::begin(const CameraDescription &camera) {
+    for (Mean &mean : means_) {
+        mean.scale = scale_of(mean.kind, extent_, camera);
+        mean.sums.clear();
+    }
     for (Number &number : numbers_) number.numbers.clear();
 }
 

@@ -23,8 +23,8 @@ public:
     Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, const DeviceScene &on_device, const CameraDescription &camera, uint batch,
          std::size_t largest_band = std::numeric_limits<std::size_t>::max());
 
-    /// Forgets all samples.
-    void clear();
+    /// Forgets all samples; those that follow are of rays from this camera.
+    void begin(const CameraDescription &camera);
     /// Takes note of a wave of camera rays, whose slots are in the order of their list.
     void record(const Batch &batch, const DeviceScene &scene, const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances,
                 const Buffer<SurfacePoint> &points, const Buffer<Tints> &tints);
@@ -51,6 +51,7 @@ private:
         Bands<uint> numbers;  ///< from 1 on; 0 for none
     };
     std::list<Mean> means_;
+    float extent_;               ///< of the world
     std::optional<Kernel> add_;  ///< for means
     std::list<Number> numbers_;
     const AovKind *count_ = nullptr;
