@@ -11,6 +11,7 @@
 #include "scene/measures/heat_colour.h"
 #include "scene/measures/measures.h"
 #include "tools/commands.h"
+#include "tools/numbers.h"
 #include "tools/standard_output.h"
 
 namespace brandung {
@@ -180,7 +181,8 @@ void add_compare(CLI::App &app, int &status) {
     CLI::Option *ldr = command->add_flag("--ldr", options->ldr, "compare what is shown: sRGB-encoded values from 0 to 1 (default for integers)");
     command->add_flag("--hdr", options->hdr, "compare linear light (default if one picture stores floats)")->excludes(ldr);
     command->add_option("--ppd", options->pixels_per_degree, "pixels per degree of the eye's view, for FLIP")
-        ->check(CLI::Range(min_pixels_per_degree, max_pixels_per_degree))
+        ->check(numbers([](double x) { return x >= min_pixels_per_degree && x <= max_pixels_per_degree; },
+                        fmt::format("from {:g} to {:g}", min_pixels_per_degree, max_pixels_per_degree), "NUMBER"))
         ->capture_default_str();
     command->add_flag("--json", options->as_json, "print JSON");
     command->callback([options, &status] { status = run(*options); });

@@ -3,9 +3,12 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <set>
+
+#include "tools/numbers.h"
 
 namespace brandung {
 namespace {
@@ -24,7 +27,7 @@ void add_render_options(CLI::App &command, RenderCommandOptions &options) {
     add_scene_options(command, options);
     add_output_options(command, options.outputs);
     command.add_option("--save-every", options.save_every, "while rendering write the pictures so far every so many seconds")
-        ->check(CLI::PositiveNumber);
+        ->check(numbers([](double x) { return x > 0 && std::isfinite(x); }, "a finite number of seconds above 0", "SECONDS"));
     command.add_option("--turntable", options.turntable, "render so many pictures, the camera going once around what it looks at: NAME_000.png, ...")
         ->check(CLI::Range(1u, 1000u));
     command.add_option("--stats", options.stats, "write everything counted and timed to this JSON file");
@@ -61,7 +64,7 @@ std::optional<double> hold_seconds(const RenderCommandOptions &options) {
     if (std::none_of(options.previews.begin(), options.previews.end(), [](const std::string &preview) { return preview.starts_with("web"); }))
         throw CLI::ValidationError("--preview-hold", "there is no --preview web");
     double seconds = std::numeric_limits<double>::infinity();
-    if (text != "forever" && !(CLI::detail::lexical_cast(text, seconds) && seconds >= 0))
+    if (text != "forever" && !(CLI::detail::lexical_cast(text, seconds) && seconds >= 0 && std::isfinite(seconds)))
         throw CLI::ValidationError("--preview-hold", "expected seconds or forever, got '" + text + "'");
     return seconds;
 }

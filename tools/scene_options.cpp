@@ -12,6 +12,7 @@
 #include "scene/formats/limits.h"
 #include "scene/parameters.h"
 #include "scene/tone.h"
+#include "tools/numbers.h"
 
 namespace brandung {
 namespace {
@@ -95,13 +96,6 @@ ViewChanges view_changes(const SceneOptions &options) {
     return changes;
 }
 
-/// Angles of view between 0 and 180 degrees, both excluded.
-std::string angle_fault(const std::string &text) {
-    float degrees = 0;
-    const bool number = CLI::detail::lexical_cast(text, degrees);
-    return number && degrees > 0 && degrees < 180 ? "" : "must be above 0 and below 180 degrees, got '" + text + "'";
-}
-
 }  // namespace
 
 void add_scene_options(CLI::App &command, SceneOptions &options) {
@@ -122,13 +116,15 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
         ->expected(1)
         ->take_all();
     command.add_option("--exposure", options.exposure,
-                       "of pictures of integers in EV, or auto: the median luminance of pixels that are not black becomes middle grey");
+                       "of pictures of integers in EV, or auto: the median luminance of pixels that are not black becomes middle grey (of a "
+                       "turntable, in its first picture)");
     command.add_option("--tone", options.tone, "curve of pictures of integers: srgb, filmic or none");
     command.add_option("--camera", options.camera, "name of the scene's camera to use (default: the first)");
     command.add_option("--from", options.from, "position of the eye as X,Y,Z (default: the camera's; a mesh gets a camera that sees all of it)");
     command.add_option("--at", options.at, "a point in the middle of the picture, as X,Y,Z");
     command.add_option("--up", options.up, "what is up in the picture, as X,Y,Z: 0,0,1 for meshes that stand on the xy plane");
-    command.add_option("--fov", options.fov, "vertical angle of view [degrees]")->check(CLI::Validator(angle_fault, "DEGREES"));
+    command.add_option("--fov", options.fov, "vertical angle of view [degrees]")
+        ->check(numbers([](double x) { return float(x) > 0 && float(x) < 180; }, "above 0 and below 180 degrees", "DEGREES"));
     command.add_option("--background", options.background,
                        "what rays see that leave the scene: a colour, as R,G,B or one number (linear) or #RRGGBB (sRGB), or a latitude-longitude "
                        "picture, whose middle lies in -z and whose upper edge in y");

@@ -148,7 +148,8 @@ TEST(CliCompare, WhatCannotBeComparedIsRefusedInOneLine) {
     EXPECT_NE(refusal(compare(a, a, {"--tolerance", "beauty=1"}), 2).find("no measure 'beauty'"), std::string::npos);
     for (const char *tolerance : {"mse", "mse=", "mse=1x", "mse=nan"}) refusal(compare(a, a, {"--tolerance", tolerance}), 2);
     refusal(compare(a, a, {"--ldr", "--hdr"}), 2);
-    refusal(compare(a, a, {"--ppd", "0"}), 2);
+    for (const char *ppd : {"0", "nan", "inf", "1001"})
+        EXPECT_NE(refusal(compare(a, a, {"--ppd", ppd}), 2).find("must be from 1 to 1000, got '"), std::string::npos);
 }
 
 TEST(CliCompare, HelpNamesEveryOptionAndMeasure) {

@@ -129,8 +129,10 @@ TEST_F(PreviewOptions, WhatCannotBeShownIsAnErrorBeforeTheRender) {
 }
 
 TEST_F(PreviewOptions, WrongUsageIsSaid) {
-    for (const std::vector<std::string> &options :
-         {std::vector<std::string>{"--preview", "tv"}, {"--preview-hold", "3"}, {"--preview", "web:0", "--preview-hold", "nan"}}) {
+    for (const std::vector<std::string> &options : {std::vector<std::string>{"--preview", "tv"},
+                                                    {"--preview-hold", "3"},
+                                                    {"--preview", "web:0", "--preview-hold", "nan"},
+                                                    {"--preview", "web:0", "--preview-hold", "inf"}}) {
         const Finished finished = run(options);
         EXPECT_EQ(finished.status, 2) << options.back();
         EXPECT_TRUE(finished.err.starts_with("brandung: --preview")) << finished.err;
