@@ -30,6 +30,7 @@ struct CompiledScene {
     uint interior_size = 0;                    ///< entries of a ray's list of media: at least the number of `media` up to max_interior_size
     uint media = 0;                            ///< transparent materials of things, and those that an eye is in, if there are things to refract
     std::size_t primitive_count = 0;           ///< those of a group count once
+    std::size_t texture_count = 0;             ///< pictures on surfaces
     std::size_t group_count = 0, instance_count = 0;
     std::vector<std::size_t> counts;           ///< of primitives, by kind in use
     uint dark_emitters = 0;                    ///< emissive shapes that would be lights, but for integrator.light_samples

@@ -24,6 +24,10 @@ std::vector<std::string> features_in_use(const Scene &scene, const CompiledScene
     for (const uint aov : scene.film.aovs) used.push_back(std::string("AOV ") + aov_kinds()[aov].name);
     used.push_back("integrator " + scene.integrator.type);
     if (compiled.instance_count > 0) used.push_back(fmt::format("{} instances of {} groups", compiled.instance_count, compiled.group_count));
+    if (compiled.shading_normals) used.push_back("shading normals");
+    if (compiled.texture_count > 0) used.push_back(fmt::format("{} textures", compiled.texture_count));
+    if (compiled.header.vertex_colors.count > 0) used.push_back("vertex colours");
+    if (compiled.header.background_texture != 0) used.push_back("picture as background");
     if (compiled.reflects) used.push_back("reflected rays");
     if (compiled.transmits) used.push_back(fmt::format("refracted rays, lists of {} media", compiled.interior_size));
     if (compiled.filters_shadows) used.push_back("filtered shadows");

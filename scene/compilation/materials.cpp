@@ -45,6 +45,7 @@ void add_textures(const Scene &scene, const std::vector<Material> &used_material
         if (number > 0) used.at(number - 1) = true;
     };
     for (const Material &material : used_materials) use(material.diffuse_texture), use(material.specular_texture);
+    compiled.texture_count = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
     use(scene.background_texture);
     TexturePixels pixels = pixels_of(scene.textures, used);
     compiled.header.textures = arena.add(pixels.records);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <csignal>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -21,10 +20,10 @@ void expect_success(const Finished &run) {
 }
 
 /// Runs `brandung render SCENE ARGUMENTS...` on a small native scene in `folder`.
-Finished render(const TemporaryFolder &folder, const std::vector<std::string> &arguments, const RunOptions &options = {}) {
+Finished render(const TemporaryFolder &folder, const std::vector<std::string> &arguments) {
     std::vector<std::string> all = {"render", folder.write("scene.json", native_scene())};
     all.insert(all.end(), arguments.begin(), arguments.end());
-    return run_program(all, options);
+    return run_program(all);
 }
 
 }  // namespace
@@ -169,6 +168,25 @@ TEST(Cli, ExplainSaysWhatIsUsedAndWhatIsSkippedAndWhy) {
     EXPECT_EQ(run.err, "");
 }
 
+TEST(Cli, ExplainNamesPicturesColoursAndNormals) {
+    const TemporaryFolder folder;
+    write_picture(folder.path("sky.exr"), {1, 1, {Spectrum(1)}, {}});
+    const std::string mesh = R"({"type": "triangle_mesh", "material": "grey", "positions": [[0,0,0], [1,0,0], [0,1,0]], "indices": [0,1,2], )";
+    const auto explained = [&](const std::string &object, const std::vector<std::string> &more = {}) {
+        std::vector<std::string> arguments = {"info", folder.write("scene.json", native_scene(object))};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run_program(arguments).out;
+    };
+    const std::string plain = explained(mesh + R"("uvs": [[0,0], [1,0], [0,1]]})");
+    for (const char *feature : {"textures", "vertex colours", "picture as background", "shading normals"})
+        EXPECT_EQ(plain.find(std::string("uses    ") + feature), std::string::npos) << plain;
+    const std::string all =
+        explained(mesh + R"("uvs": [[0,0], [1,0], [0,1]], "colors": [[1,0,0], [0,1,0], [0,0,1]], "normals": [[0,0,1], [0,1,1], [1,0,1]]})",
+                  {"--background", folder.path("sky.exr"), "--set", "materials.0.diffuse={\"texture\": \"sky.exr\"}"});
+    for (const char *feature : {"1 textures\n", "vertex colours\n", "picture as background\n", "shading normals\n"})
+        EXPECT_NE(all.find(std::string("uses    ") + feature), std::string::npos) << feature << all;
+}
+
 TEST(Cli, WarningsAreCountedNotRepeated) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.nff", nff_scene("s 0 0 0 1\ns 0 0 0 0\ns 1 0 0 0\ns 2 0 0 0\n"));
@@ -265,65 +283,11 @@ INSTANTIATE_TEST_SUITE_P(Cli, ExampleScene, testing::ValuesIn(example_names()), 
     return name;
 });
 
-namespace {
-
-/// A render of minutes, interrupted by `signal` after its first batch.
-Finished interrupted_render(const TemporaryFolder &folder, const std::vector<std::string> &arguments, int signal) {
-    std::vector<std::string> all = {"--size", "512x512", "--spp", "100000", "--batch", "16384"};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    RunOptions options;
-    options.signal_when = [signal](const std::string &err) { return err.find("samples/s") != std::string::npos ? signal : 0; };
-    return render(folder, all, options);
-}
-
-}  // namespace
-
-TEST(CliInterrupted, WritesThePictureSoFarAndExits130) {
-    const TemporaryFolder folder;
-    const Finished run = interrupted_render(folder, {"-o", folder.path("out.png"), "--stats", folder.path("stats.json")}, SIGINT);
-    EXPECT_EQ(run.status, 130) << "signal " << run.signal << "\n" << run.err;
-    EXPECT_FALSE(run.timed_out);
-    EXPECT_EQ(folder.names(), (std::vector<std::string>{"out.png", "scene.json", "stats.json"}));
-    const json stats = json::parse(read_file(folder.path("stats.json"))), rays = stats.at("rays");
-    const std::string samples = stats.at("samples_done").dump() + " of 26214400000 samples";
-    EXPECT_NE(run.err.find("interrupted: " + samples + "; pixels not reached are black\n"), std::string::npos) << run.err;
-    EXPECT_EQ(stats.at("interrupted"), true);
-    EXPECT_EQ(stats.at("samples_total"), 26214400000);
-    EXPECT_EQ(stats.at("samples_done"), rays.at("camera"));
-    const auto picture = OIIO::ImageInput::open(folder.path("out.png"));
-    ASSERT_TRUE(picture);
-    EXPECT_EQ(picture->spec().get_string_attribute("brandung:interrupted"), "true");
-    EXPECT_EQ(picture->spec().get_string_attribute("brandung:samples"), samples);
-    EXPECT_GE(rays.at("camera").get<std::uint64_t>(), 16384u);
-    EXPECT_LT(rays.at("camera").get<std::uint64_t>(), 512ull * 512 * 100000);
-}
-
-/// With as many lights a batch takes seconds, which the first signal waits for.
-TEST(CliInterrupted, TheSecondTimeEndsTheProgramAtOnce) {
-    const TemporaryFolder folder;
-    std::string lights;
-    for (int i = 0; i < 6000; ++i) lights += "l 2 3 4\n";
-    const std::string scene = folder.write("scene.nff", nff_scene(lights + "s 0 0 0 3\n"));
-    RunOptions options;
-    options.signal_when = [](const std::string &err) { return err.find("waves at most") != std::string::npos ? SIGINT : 0; };
-    options.signals = 2;
-    const Finished run = run_program({"render", scene, "-o", folder.path("out.png"), "--size", "256x128"}, options);
-    EXPECT_EQ(run.signal, SIGINT) << "status " << run.status << "\n" << run.err;
-    EXPECT_EQ(folder.names(), std::vector<std::string>{"scene.nff"});
-}
-
 TEST(Cli, MoreThreadsThanComputeUnitsAreMentioned) {
     const TemporaryFolder folder;
     const Finished run = render(folder, {"-o", folder.path("out.png"), "--quiet", "--threads", "9999"});
     expect_success(run);
     EXPECT_TRUE(run.err.starts_with("warning: --threads 9999: '")) << run.err;
-}
-
-TEST(CliInterrupted, ByTheTerminateSignalToo) {
-    const TemporaryFolder folder;
-    const Finished run = interrupted_render(folder, {"-o", folder.path("out.exr")}, SIGTERM);
-    EXPECT_EQ(run.status, 130) << "signal " << run.signal << "\n" << run.err;
-    EXPECT_EQ(folder.names(), (std::vector<std::string>{"out.exr", "scene.json"}));
 }
 
 /// What a mesh gets is said in a form that gives the same picture when it is asked for.
