@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <stdexcept>
 #include <thread>
 #include <vector>
+
+#include "tests/images/spd_file.h"
 
 namespace spd {
 
@@ -21,135 +21,9 @@ Counts &Counts::operator+=(const Counts &other) {
 
 namespace {
 
-using Vec = glm::dvec3;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr unsigned max_depth = 5;  ///< rays in a chain, the eye ray being 1
 constexpr double offset = 1e-10;   ///< by which spawned rays start off the surface, relative to the scene's extent
-
-// ---- the file --------------------------------------------------------------------------------------------------------------------------------
-
-struct Surface {
-    double reflection = 0, transmission = 0, index = 1;
-};
-
-enum class Kind { ball, cone, polygon };
-
-struct Thing {
-    Kind kind;
-    unsigned surface;
-    Vec center;      ///< ball
-    double radius;   ///< ball; cone: at its base
-    Vec base, axis;  ///< cone: from base to apex, unit length
-    double height, slope;
-    std::vector<Vec> corners, normals;  ///< polygon
-    Vec normal;                         ///< polygon: to its outside
-    double constant;                    ///< of its plane
-    int u, v;                           ///< the two axes on which its shadow is largest
-};
-
-struct Contents {
-    Vec from, at, up;
-    double angle = 45;
-    std::vector<Vec> lights;
-    std::vector<Surface> surfaces;
-    std::vector<Thing> things;
-};
-
-class File {
-public:
-    explicit File(const std::string &name) : stream_(name) {
-        if (!stream_) throw std::runtime_error("cannot read " + name);
-    }
-    bool word(std::string &text) { return static_cast<bool>(stream_ >> text); }
-    double number() {
-        double value = 0;
-        if (!(stream_ >> value)) throw std::runtime_error("number expected");
-        return value;
-    }
-    Vec vector() {
-        const double x = number(), y = number(), z = number();
-        return {x, y, z};
-    }
-    std::string rest_of_line() {
-        std::string text;
-        std::getline(stream_, text);
-        return text;
-    }
-
-private:
-    std::ifstream stream_;
-};
-
-Thing read_polygon(File &file, unsigned surface, bool patch) {
-    Thing thing{.kind = Kind::polygon, .surface = surface};
-    const int count = static_cast<int>(file.number());
-    for (int i = 0; i < count; ++i) {
-        thing.corners.push_back(file.vector());
-        if (patch) thing.normals.push_back(file.vector());
-    }
-    if (patch && count != 3) throw std::runtime_error("a patch that is no triangle");
-    // Newell's normal, which any order of corners defines.
-    Vec normal(0);
-    for (int i = 0; i < count; ++i) normal += glm::cross(thing.corners[i], thing.corners[(i + 1) % count]);
-    thing.normal = glm::normalize(normal);
-    thing.constant = glm::dot(thing.normal, thing.corners[0]);
-    const Vec size = glm::abs(thing.normal);
-    const int w = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
-    thing.u = (w + 1) % 3, thing.v = (w + 2) % 3;
-    return thing;
-}
-
-Thing read_cone(File &file, unsigned surface) {
-    Thing thing{.kind = Kind::cone, .surface = surface};
-    thing.base = file.vector();
-    thing.radius = file.number();
-    const Vec apex = file.vector();
-    const double apex_radius = file.number();
-    thing.height = glm::length(apex - thing.base);
-    thing.axis = (apex - thing.base) / thing.height;
-    thing.slope = (apex_radius - thing.radius) / thing.height;
-    return thing;
-}
-
-Contents read(const std::string &name) {
-    File file(name);
-    Contents scene;
-    for (std::string word; file.word(word);) {
-        const auto surface = static_cast<unsigned>(scene.surfaces.size()) - 1;
-        if (word[0] == '#' || word == "b" || word == "hither" || word == "resolution") {
-            file.rest_of_line();
-        } else if (word == "from") {
-            scene.from = file.vector();
-        } else if (word == "at") {
-            scene.at = file.vector();
-        } else if (word == "up") {
-            scene.up = file.vector();
-        } else if (word == "angle") {
-            scene.angle = file.number();
-        } else if (word == "l") {
-            scene.lights.push_back(file.vector());
-            file.rest_of_line();
-        } else if (word == "f") {
-            for (int i = 0; i < 4; ++i) file.number();
-            Surface read;
-            read.reflection = file.number();
-            file.number();
-            read.transmission = file.number(), read.index = file.number();
-            scene.surfaces.push_back(read);
-        } else if (word == "s") {
-            Thing thing{.kind = Kind::ball, .surface = surface};
-            thing.center = file.vector(), thing.radius = file.number();
-            scene.things.push_back(thing);
-        } else if (word == "c") {
-            scene.things.push_back(read_cone(file, surface));
-        } else if (word == "p" || word == "pp") {
-            scene.things.push_back(read_polygon(file, surface, word == "pp"));
-        } else if (word != "v") {
-            throw std::runtime_error("unknown entity " + word);
-        }
-    }
-    return scene;
-}
 
 // ---- crossings -------------------------------------------------------------------------------------------------------------------------------
 
