@@ -25,7 +25,7 @@ std::vector<std::string> features_in_use(const Scene &scene, const CompiledScene
     used.push_back("integrator " + scene.integrator.type);
     if (compiled.instance_count > 0) used.push_back(fmt::format("{} instances of {} groups", compiled.instance_count, compiled.group_count));
     if (compiled.shading_normals) used.push_back("shading normals");
-    if (compiled.texture_count > 0) used.push_back(fmt::format("{} textures", compiled.texture_count));
+    if (compiled.texture_count > 0) used.push_back(fmt::format("{} texture{}", compiled.texture_count, compiled.texture_count > 1 ? "s" : ""));
     if (compiled.header.vertex_colors.count > 0) used.push_back("vertex colours");
     if (compiled.header.background_texture != 0) used.push_back("picture as background");
     if (compiled.reflects) used.push_back("reflected rays");

@@ -178,12 +178,12 @@ TEST(Cli, ExplainNamesPicturesColoursAndNormals) {
         return run_program(arguments).out;
     };
     const std::string plain = explained(mesh + R"("uvs": [[0,0], [1,0], [0,1]]})");
-    for (const char *feature : {"textures", "vertex colours", "picture as background", "shading normals"})
+    for (const char *feature : {"1 texture", "vertex colours", "picture as background", "shading normals"})
         EXPECT_EQ(plain.find(std::string("uses    ") + feature), std::string::npos) << plain;
     const std::string all =
         explained(mesh + R"("uvs": [[0,0], [1,0], [0,1]], "colors": [[1,0,0], [0,1,0], [0,0,1]], "normals": [[0,0,1], [0,1,1], [1,0,1]]})",
                   {"--background", folder.path("sky.exr"), "--set", "materials.0.diffuse={\"texture\": \"sky.exr\"}"});
-    for (const char *feature : {"1 textures\n", "vertex colours\n", "picture as background\n", "shading normals\n"})
+    for (const char *feature : {"1 texture\n", "vertex colours\n", "picture as background\n", "shading normals\n"})
         EXPECT_NE(all.find(std::string("uses    ") + feature), std::string::npos) << feature << all;
 }
 
