@@ -17,10 +17,13 @@ namespace fs = std::filesystem;
 /// File systems take 255 bytes; a name's beginning leaves room for what a temporary one has more.
 constexpr std::size_t kept_of_name = 200;
 
+/// More links than any system follows.
+constexpr int most_links = 64;
+
 std::string temporary_name(const std::string &file) {
-    const fs::path path(file);
+    const fs::path path(linked_file(file));
     const std::string name = path.filename().string().substr(0, kept_of_name) + "." + std::to_string(getpid()) + ".part";
-    return (path.parent_path() / (name + path.extension().string())).string();
+    return (path.parent_path() / (name + fs::path(file).extension().string())).string();
 }
 
 SceneError cannot_write(const std::string &file, const std::string &why) { return SceneError(file + ": cannot write there: " + why); }
@@ -42,11 +45,18 @@ void check_name(const std::string &file) {
     const fs::file_status status = fs::status(file, error);
     if (fs::is_directory(status)) throw cannot_write(file, "it is a folder");
     if (status.type() != fs::file_type::not_found && error) throw cannot_write(file, error.message());
-    const fs::path folder = fs::path(file).parent_path();
+    const fs::path folder = fs::path(linked_file(file)).parent_path();
     if (!folder.empty() && !fs::is_directory(folder, error)) throw cannot_write(file, "'" + folder.string() + "' is not a folder");
 }
 
 }  // namespace
+
+std::string linked_file(const std::string &name) {
+    fs::path file(name);
+    std::error_code error;
+    for (int links = 0; links < most_links && fs::is_symlink(file, error); ++links) file = file.parent_path() / fs::read_symlink(file, error);
+    return file.string();
+}
 
 void try_writing(const std::string &file, const WriteFile &write) {
     check_name(file);
@@ -67,7 +77,7 @@ void write_complete(const std::string &file, const WriteFile &write) {
     write_or_remove(temporary, [&](const std::string &name) {
         write(name);
         std::error_code error;
-        fs::rename(name, file, error);
+        fs::rename(name, linked_file(file), error);
         if (error) throw cannot_write(file, error.message());
     });
 }

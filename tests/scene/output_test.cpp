@@ -55,6 +55,23 @@ TEST_F(Output, WhatCannotBeRenamedIsReportedAndRemoved) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
 }
 
+/// Over two links, the last of which leads to a file that is not there yet, from another folder.
+TEST_F(Output, LinksAreWrittenThrough) {
+    fs::create_directory(file("there"));
+    fs::create_symlink("there/b.txt", file("a.txt"));
+    fs::create_symlink("c.dat", file("there/b.txt"));
+    check_writable(file("a.txt"));
+    for (const char *text : {"first", "second"}) {
+        write_text(file("a.txt"), text);
+        EXPECT_EQ(file_text(file("there/c.dat")), text);
+    }
+    EXPECT_TRUE(fs::is_symlink(file("a.txt")) && fs::is_symlink(file("there/b.txt")));
+    EXPECT_EQ(std::distance(fs::recursive_directory_iterator(folder), {}), 4);
+    EXPECT_EQ(linked_file(file("a.txt")), file("there/c.dat"));
+    fs::create_symlink("circle", file("circle"));
+    EXPECT_NE(error_of([&] { check_writable(file("circle")); }), "");
+}
+
 TEST_F(Output, TryingLeavesNothing) {
     std::string written;
     try_writing(file("a.txt"), [&](const std::string &name) { write_text(written = name, "text"); });
