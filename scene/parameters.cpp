@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include "scene/spelling.h"
 
 namespace brandung {
 namespace {
@@ -127,24 +128,6 @@ std::string joined(const std::vector<std::string> &names) {
     return result;
 }
 
-/// Letters to insert, delete or exchange (Levenshtein 1966).
-std::size_t distance(const std::string &a, const std::string &b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), 0);
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0]++;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t exchanged = diagonal + (a[i] != b[j]);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({exchanged, row[j] + 1, diagonal + 1});
-        }
-    }
-    return row.back();
-}
-
-/// Whether one may be the other misspelt: few letters differ, and fewer in short names.
-bool resembles(const std::string &key, const std::string &name) { return distance(key, name) <= std::min<std::size_t>(2, name.size() / 2); }
-
 }  // namespace
 
 Parameters::Parameters(const Document &document, std::string pointer) : document_(&document), pointer_(std::move(pointer)) {
@@ -257,8 +240,7 @@ void Parameters::expect_all_known() const {
     for (auto item = object_->begin(); item != object_->end(); ++item) {
         const std::string &key = item.key();
         if (known_->contains(key)) continue;
-        std::vector<std::string> names(known_->begin(), known_->end());
-        std::stable_sort(names.begin(), names.end(), [&](const auto &a, const auto &b) { return distance(key, a) < distance(key, b); });
+        const std::vector<std::string> names = by_likeness(key, {known_->begin(), known_->end()});
         if (!names.empty() && resembles(key, names[0])) fail(key, "unknown key; is \"" + names[0] + "\" meant?");
         fail(key, "unknown key; known here: " + joined(names));
     }
