@@ -72,9 +72,9 @@ void read_aovs(const Parameters &parameters, FilmSettings &film) {
 void read_film(const Parameters &parameters, FilmSettings &film) {
     film.width = parameters.integer("width", film.width, 1, max_resolution);
     film.height = parameters.integer("height", film.height, 1, max_resolution);
-    film.spp = parameters.integer("spp", film.spp, 1, max_samples);
-    film.seed = parameters.integer("seed", film.seed);
     film.pixel = parameters.choice("pixel", {"corner", "center", "random"}, film.pixel);
+    film.spp = parameters.integer("spp", film.pixel == PIXEL_CORNER ? 1 : film.spp, 1, max_samples);
+    film.seed = parameters.integer("seed", film.seed);
     read_filter(parameters, film);
     if (film.pixel == PIXEL_CORNER && film.spp != 1) parameters.fail("pixel", fmt::format("'corner' takes one sample per pixel, not {}", film.spp));
     read_aovs(parameters, film);

@@ -9,7 +9,8 @@ namespace brandung {
 
 /// A camera that sees the whole sphere around the meshes' box, from the front, 30 degrees from the right and 20 from above: a box shows three of
 /// its sides from there, the front the widest, and no edge hides another. Front is +z, or -y if up is along z. An open shell, whose outward sides
-/// do not cancel out (a room without its front wall, a mask), is looked into instead, as its sides face, and fills the picture.
+/// do not cancel out and which surrounds its middle but for the opening (a room without its front wall, a mask), is looked into instead, as its
+/// sides face, and fills the picture. Where floats have no place for it beside the meshes, it has no direction of view.
 /// `changes` are taken into account: the distance follows the angle of view.
 CameraDescription framing_camera(const std::vector<MeshPart> &parts, const FilmSettings &film, const ViewChanges &changes);
 
@@ -17,8 +18,12 @@ CameraDescription framing_camera(const std::vector<MeshPart> &parts, const FilmS
 /// It has the irradiance pi at every distance: a surface that faces it has its diffuse reflectance as radiance, whatever the scale.
 Light headlight(const std::vector<MeshPart> &parts, const CameraDescription &camera);
 
-/// Adds the camera and says so in the scene's notes; the headlight too, unless `parts`, the scene's meshes, light themselves: their emission must
-/// be sampled, and give a hundredth of the headlight's irradiance at the distance of their bounding sphere's radius.
+/// Settings that suit most meshes, from which those of the command line differ: 16 samples per pixel, 2 x 2 points of each lamp.
+void set_default_quality(Scene &scene);
+
+/// Adds the camera; the headlight too, unless `parts`, the scene's meshes, light themselves: their emission must be sampled, and give a hundredth
+/// of the headlight's irradiance at the distance of their bounding sphere's radius; and ambient light, a tenth of the irradiance. The scene's notes
+/// say so as options and as a scene file.
 void add_default_view(const std::vector<MeshPart> &parts, const ViewChanges &changes, Scene &scene);
 
 }  // namespace brandung

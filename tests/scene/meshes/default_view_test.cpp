@@ -64,6 +64,29 @@ TEST(FramingCamera, LooksIntoARoom) {
     EXPECT_NEAR(camera.from.z, 1.05 * (1 + 1 / std::tan(camera.fov / 2)), 1e-4);
 }
 
+/// A floor with things on it, parts that are open to the front: its middle sees sky.
+TEST(FramingCamera, LooksDownOnAFloor) {
+    MeshPart floor{0, {}};
+    floor.mesh.positions = {{-4, 0, 4}, {4, 0, 4}, {4, 0, -4}, {-4, 0, -4}, {-3, 0, -3.5f}, {3, 0, -3.5f}, {3, 3, -3.5f}, {-3, 3, -3.5f}};
+    floor.mesh.indices = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
+    std::vector<MeshPart> parts;
+    parts.push_back(std::move(floor));
+    const CameraDescription camera = framing_camera(parts, {}, {});
+    EXPECT_GT(camera.from.y - camera.at.y, 0.3f * glm::length(camera.from - camera.at));
+}
+
+/// It covers 5/6 of the half sphere around -z; that the ceiling is missing, too, turns the vector area by 45 degrees.
+TEST(FramingCamera, LooksIntoARoomWithoutCeilingAsWell) {
+    std::vector<MeshPart> parts;
+    parts.push_back(box(vec3(-1), vec3(1), true));
+    std::vector<uint> &indices = parts[0].mesh.indices;
+    indices.erase(indices.begin() + 12, indices.begin() + 18);  // the side of y = 1
+    const CameraDescription camera = framing_camera(parts, {}, {});
+    EXPECT_NEAR(camera.from.x, 0, 1e-6);
+    EXPECT_NEAR(camera.from.y, 0, 1e-6);
+    EXPECT_GT(camera.from.z, 1);
+}
+
 TEST(Headlight, LightsWhatFacesItWithPiWattsWhateverTheScale) {
     for (const float scale : {1e-4f, 1.0f, 1e6f}) {
         std::vector<MeshPart> parts;
@@ -86,12 +109,17 @@ TEST(DefaultView, IsThatOfFilesWithoutCamerasAndLights) {
     const Scene plain = read_scene(folder.write("plain.obj", triangle + "f 1 2 3\n"));
     EXPECT_EQ(plain.cameras.size(), 1u);
     EXPECT_EQ(plain.lights.size(), 1u);
-    EXPECT_EQ(plain.notes.size(), 2u);
-    EXPECT_EQ(plain.notes.at(0).substr(0, 15), "camera: --from ");
-    EXPECT_EQ(plain.notes.at(1).substr(0, 25), "light: {\"type\": \"point\", ");
+    EXPECT_EQ(plain.ambient, Spectrum(0.1f));
+    EXPECT_EQ(plain.film.spp, 16u);
+    ASSERT_EQ(plain.notes.size(), 3u);
+    EXPECT_EQ(plain.notes[0].substr(0, 15), "camera: --from ");
+    EXPECT_EQ(plain.notes[1], "samples: --spp 16 --light-samples 2");
+    EXPECT_EQ(plain.notes[2].substr(0, 65), R"(scene: {"film": {"width": 512, "height": 512, "spp": 16}, "integr)");
     const Scene lamp = read_scene(folder.write("lamp.obj", "mtllib lamp.mtl\n" + triangle + "usemtl lamp\nf 1 2 3\n"));
     EXPECT_TRUE(lamp.lights.empty());
-    EXPECT_EQ(lamp.notes.size(), 1u);
+    // Radiance 1 times area 1/2, at the distance sqrt(1/2): the irradiance 1, of which a tenth is that of ambient light, pi times its radiance.
+    EXPECT_FLOAT_EQ(lamp.ambient.x, float(0.1 / std::numbers::pi));
+    EXPECT_EQ(read_scene(folder.write("plain.obj", triangle + "f 1 2 3\n"), {{"film.pixel=corner"}, {}, {}}).film.spp, 1u);
 }
 
 /// A triangle of area 1/2 in a sphere of radius sqrt(1/2): its emission L gives the irradiance L, of which 0.01 pi = 0.0314 suffice.
