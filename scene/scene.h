@@ -72,6 +72,7 @@ struct PlacedGroup {
 
 struct Scene {
     std::string file;
+    std::vector<std::string> files;          ///< all that have been read for it, itself first
     std::vector<CameraDescription> cameras;  ///< the first is the default
     std::vector<NamedMaterial> materials;
     std::vector<Texture> textures;
@@ -85,9 +86,10 @@ struct Scene {
     FilmSettings film;
     IntegratorSettings integrator;
     std::string accelerator = "auto";
-    std::map<std::string, uint> warnings;  ///< text -> how often
-    std::vector<std::string> notes;        ///< what was chosen where the file says nothing, a line each
-    std::optional<ShapePlaces> places;     ///< only if who reads the scene asks for them
+    std::map<std::string, uint> warnings;               ///< text -> how often
+    std::map<std::string, std::string> warning_places;  ///< text -> where first, as "file:line", if that is known
+    std::vector<std::string> notes;                     ///< what was chosen where the file says nothing, a line each
+    std::optional<ShapePlaces> places;                  ///< only if who reads the scene asks for them
 };
 
 }  // namespace brandung

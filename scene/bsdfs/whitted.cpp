@@ -2,6 +2,7 @@
 #include "scene/bsdfs/bsdf.h"
 #include "scene/kinds.h"
 #include "scene/parameters.h"
+#include "scene/scene.h"
 #include "scene/textures/textured.h"
 
 namespace brandung {
@@ -10,6 +11,7 @@ namespace {
 constexpr uint max_priority = 1u << 24;
 
 bool any_positive(Spectrum s) { return s.x > 0 || s.y > 0 || s.z > 0; }
+bool any_above_one(Spectrum s) { return s.x > 1 || s.y > 1 || s.z > 1; }
 
 }  // namespace
 
@@ -29,6 +31,9 @@ Material read_whitted(const Parameters &parameters, Scene &scene) {
     const TexturedSpectrum diffuse = read_textured(parameters, "diffuse", Spectrum(0.5f), scene);
     const TexturedSpectrum specular = read_textured(parameters, "specular", Spectrum(0), scene);
     whitted.diffuse = diffuse.value;
+    // Of a texture the value is a factor, which may brighten a dark picture.
+    if (diffuse.texture == 0 && any_above_one(diffuse.value))
+        ++scene.warnings["diffuse reflectance above 1: more light leaves than arrives; colours are from 0 to 1"];
     whitted.ambient = parameters.spectrum("ambient", whitted.diffuse);
     whitted.specular = specular.value;
     whitted.exponent = parameters.positive("exponent", 50.0f);

@@ -62,6 +62,7 @@ Scene read_scene(const std::string &file, const ReadOptions &options) {
     for (const SceneFormat &format : scene_formats()) {
         if (extension == format.extension) {
             Scene scene = format.read(file, options);
+            scene.files.insert(scene.files.begin(), file);
             change_view(options.view, scene);
             warn_of_nothing_to_see(scene);
             return scene;

@@ -10,6 +10,7 @@
 #include "scene/parameters.h"
 #include "scene/primitives/add.h"
 #include "scene/view.h"
+#include "scene/warnings.h"
 
 namespace brandung {
 namespace {
@@ -39,12 +40,13 @@ void read_materials(const Parameters &root, Scene &scene) {
         const std::string name = new_name(parameters, scene.materials);
         scene.materials.push_back({name, kind_of(parameters, bsdf_kinds()).read(parameters, scene)});
         parameters.expect_all_known();
+        place_warnings(scene, [&] { return parameters.place(""); });
     }
 }
 
 void read_lights(const Parameters &root, Scene &scene) {
     for (const Parameters &parameters : root.children("lights")) {
-        scene.lights.push_back(kind_of(parameters, light_kinds()).read(parameters));
+        scene.lights.push_back(kind_of(parameters, lights_of_files()).read(parameters));
         parameters.expect_all_known();
     }
 }
@@ -62,9 +64,9 @@ void number_object(uint object, std::size_t shapes, std::size_t instances, Scene
     for (std::size_t i = instances; i < scene.instances.size(); ++i) scene.instances[i].object = object;
 }
 
-/// The array "objects" of the scene, or of a group, where there are no instances.
-void read_objects(const Parameters &parent, bool with_instances, Scene &scene) {
-    const std::vector<std::string> materials = names_of(scene.materials);
+/// The array "objects" of the scene, or of a group, where there are no instances. `materials` are the scene's own, which come before those of
+/// files.
+void read_objects(const Parameters &parent, bool with_instances, const std::vector<std::string> &materials, Scene &scene) {
     std::vector<std::string> types = names_of(shape_readers());
     if (with_instances) types.emplace_back("instance");
     uint object = 0;
@@ -80,14 +82,15 @@ void read_objects(const Parameters &parent, bool with_instances, Scene &scene) {
             shape_readers()[type].read(parameters, unnamed ? material_of_file : parameters.choice("material", materials), scene);
         parameters.expect_all_known();
         number_object(object++, shapes, instances, scene);
+        place_warnings(scene, [&] { return parameters.place(""); });
     }
 }
 
 /// Readers add objects to the scene, which has none of its own yet.
-void read_groups(const Parameters &root, Scene &scene) {
+void read_groups(const Parameters &root, const std::vector<std::string> &materials, Scene &scene) {
     for (const Parameters &parameters : root.children("groups")) {
         const std::string name = new_name(parameters, scene.groups);
-        read_objects(parameters, false, scene);
+        read_objects(parameters, false, materials, scene);
         parameters.expect_all_known();
         add_group(scene, name, std::exchange(scene.shapes, {}));
     }
@@ -159,8 +162,9 @@ Scene read_native(const std::string &file, const ReadOptions &options) {
     scene.ambient = root.spectrum("ambient", scene.ambient);
     read_materials(root, scene);
     read_lights(root, scene);
-    read_groups(root, scene);
-    read_objects(root, true, scene);
+    const std::vector<std::string> materials = names_of(scene.materials);
+    read_groups(root, materials, scene);
+    read_objects(root, true, materials, scene);
     read_cameras(root, scene);
     return scene;
 }

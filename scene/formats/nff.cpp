@@ -13,6 +13,7 @@
 #include "scene/parameters.h"
 #include "scene/primitives/add.h"
 #include "scene/view.h"
+#include "scene/warnings.h"
 
 namespace brandung {
 namespace {
@@ -213,6 +214,7 @@ void read_entities(Reading &reading) {
         const uint line = reading.tokens.line();
         entity->read(reading);
         keep_place(reading, line);
+        place_warnings(reading.scene, [&] { return fmt::format("{}:{}", reading.scene.file, line); });
     }
     finish_mesh(reading);
     if (reading.viewpoint_line == 0) reading.tokens.fail("the file has no viewpoint (v)");

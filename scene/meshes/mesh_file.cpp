@@ -10,6 +10,7 @@
 #include "scene/input.h"
 #include "scene/meshes/default_view.h"
 #include "scene/primitives/add.h"
+#include "scene/warnings.h"
 
 namespace brandung {
 namespace {
@@ -35,11 +36,13 @@ Scene read_as_scene(const std::string &file, const ReadOptions &options, ReadPar
     Scene scene;
     scene.file = file;
     if (options.keep_places) scene.places.emplace();
+    set_default_quality(scene);
     assign_settings(options.assignments, scene);
     std::vector<MeshPart> parts = read(file, "", scene, options.progress);
     add_default_view(parts, options.view, scene);
     for (MeshPart &part : parts) add_triangle_mesh(scene, part.material, std::move(part.mesh), before_numbers(file));
     check_view(scene, options.view);
+    place_warnings(scene, [&] { return file; });
     return scene;
 }
 

@@ -14,6 +14,7 @@
 #include "scene/meshes/mtl.h"
 #include "scene/textures/texture.h"
 #include "scene/tone.h"
+#include "scene/warnings.h"
 
 namespace brandung {
 namespace {
@@ -185,8 +186,10 @@ void read_library(Reading &reading) {
             warn(reading, "material library " + brandung::quoted(name) + " is not there");
             continue;
         }
+        reading.scene.files.push_back(path.string());
         // Of several materials of one name the first counts.
         for (MtlMaterial &material : read_mtl(path.string(), reading.scene.warnings)) reading.library.emplace(material.name, std::move(material));
+        place_warnings(reading.scene, [&] { return path.string(); });
     }
 }
 
@@ -220,21 +223,23 @@ void leave_out(Reading &reading, std::string_view name) {
     reading.tokens.skip_line();
 }
 
+void read_statement(Reading &reading, std::string_view name) {
+    const auto statement = std::find_if(std::begin(statements), std::end(statements), [&](const Statement &s) { return s.name == name; });
+    if (statement == std::end(statements)) return leave_out(reading, name);
+    statement->read(reading);
+    if (reading.tokens.at_line_end()) return;
+    warn(reading, "statement with more on its line than it takes: the rest is left out");
+    reading.tokens.skip_line();
+}
+
 void read_statements(Reading &reading, const ReadProgress &progress) {
     Tokens &tokens = reading.tokens;
     for (uint lines = 0; !tokens.at_end(); ++lines) {
         if (progress && lines % lines_between_reports == 0) progress(reading.file, tokens.part());
         const std::string_view name = tokens.word();
-        const auto statement = std::find_if(std::begin(statements), std::end(statements), [&](const Statement &s) { return s.name == name; });
-        if (statement == std::end(statements)) {
-            leave_out(reading, name);
-            continue;
-        }
-        statement->read(reading);
-        if (!tokens.at_line_end()) {
-            warn(reading, "statement with more on its line than it takes: the rest is left out");
-            tokens.skip_line();
-        }
+        const uint line = tokens.line();
+        read_statement(reading, name);
+        place_warnings(reading.scene, [&] { return fmt::format("{}:{}", reading.file, line); });
     }
 }
 
@@ -299,6 +304,7 @@ std::vector<MeshPart> read_obj(const std::string &file, const MaterialPrefix &pr
     read_statements(reading, progress);
     std::vector<MeshPart> parts = reading.builder.finish();
     if (prefix) set_materials(reading, parts);
+    place_warnings(scene, [&] { return file; });
     return parts;
 }
 

@@ -14,6 +14,7 @@
 #include "scene/meshes/ply_values.h"
 #include "scene/textures/texture.h"
 #include "scene/tone.h"
+#include "scene/warnings.h"
 
 namespace brandung {
 
@@ -272,6 +273,7 @@ std::vector<MeshPart> read_ply(const std::string &file, const MaterialPrefix &pr
     const PlyHeader header = read_ply_header(file, text);
     const auto read = header.format == PlyFormat::ascii ? read_with<PlyText> : read_with<PlyBytes>;
     std::vector<MeshPart> parts = read(file, std::move(text), header, scene, progress);
+    place_warnings(scene, [&] { return file; });
     if (!prefix) return parts;
     const bool colors = std::any_of(parts.begin(), parts.end(), [](const MeshPart &part) { return !part.mesh.colors.empty(); });
     const std::string texture = texture_file(header);

@@ -65,7 +65,7 @@ void append_polygon(Scene &scene, MeshData &mesh, const std::vector<vec3> &verti
 
 void read_polygon(const Parameters &parameters, uint material, Scene &scene) {
     const std::vector<vec3> vertices = parameters.vectors("vertices");
-    if (vertices.size() < 3) parameters.fail("vertices", fmt::format("must be at least 3, got {}", vertices.size()));
+    if (vertices.size() < 3) parameters.fail("vertices", fmt::format("must be at least 3 points, got {}", vertices.size()));
     const std::vector<vec2> uvs = read_uvs(parameters, vertices.size());
     MeshData mesh;
     append_polygon(scene, mesh, vertices, read_normals(parameters, "normals", vertices.size()));

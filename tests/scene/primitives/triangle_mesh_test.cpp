@@ -119,7 +119,8 @@ TEST(PolygonShape, BecomesAMesh) {
 }
 
 TEST(PolygonShape, BadPolygonsAreRefusedAndFlatOnesCounted) {
-    EXPECT_NE(error_of_shape(R"({"type": "polygon", "vertices": [[0, 0, 0], [2, 1, 0]]})").find("must be at least 3, got 2"), std::string::npos);
+    EXPECT_NE(error_of_shape(R"({"type": "polygon", "vertices": [[0, 0, 0], [2, 1, 0]]})").find("must be at least 3 points, got 2"),
+              std::string::npos);
     EXPECT_NE(error_of_shape(R"({"type": "polygon"})"), "");
     const Scene scene = read_shape(R"({"type": "polygon", "vertices": [[0, 0, 0], [1, 0, 0], [3, 0, 0], [2, 0, 0]]})");
     EXPECT_TRUE(scene.shapes.empty());
