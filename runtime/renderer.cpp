@@ -45,15 +45,6 @@ FilmSettings checked(const Scene &scene) {
     return scene.film;
 }
 
-std::unique_ptr<Integrator> make_integrator(const IntegratorJob &job) {
-    try {
-        return find_integrator(job.scene.integrator.type).make(job);
-    } catch (const SceneError &error) {
-        const IntegratorSettings &settings = job.scene.integrator;
-        throw SceneError((settings.type_place.empty() ? job.scene.file : settings.type_place) + ": " + error.what());
-    }
-}
-
 /// An entry per transparent material that the eye is in; entries beyond the list's size are left out.
 std::vector<uint> media_of_eye(const Scene &scene, const CompiledScene &compiled, const CameraDescription &camera) {
     std::vector<uint> entries;
@@ -113,7 +104,7 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
       interior_(media_of_eye(scene, compiled, camera)),
       samples_per_batch_(samples_at_once(film_settings_, options_.batch)),
       filter_(device, film_settings_, on_device.lists()),
-      integrator_(make_integrator({device, scene, compiled, on_device, filter_, options_.batch, options_.on_step})),
+      integrator_(integrator_of(scene).make({device, scene, compiled, on_device, filter_, options_.batch, options_.on_step})),
       pixels_(device, options_.batch / samples_per_batch_),
       samples_(device, options_.batch) {}
 

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "brandung_version.h"
+#include "scene/spelling.h"
 #include "tools/commands.h"
 #include "tools/standard_output.h"
 
@@ -18,6 +19,22 @@ int print_help(const CLI::App &app, const CLI::Success &help) {
     const int status = app.exit(help, text);
     print_result(text.str());
     return status;
+}
+
+/// "; is --spp meant?" where one of the arguments is an option of the subcommand misspelt.
+std::string meant_instead(const CLI::App &app, const std::vector<std::string> &arguments) {
+    std::vector<std::string> names;
+    std::vector<const CLI::App *> commands = {&app};
+    for (const CLI::App *command : app.get_subcommands()) commands.push_back(command);
+    for (const CLI::App *command : commands)
+        for (const CLI::Option *option : command->get_options())
+            for (const std::string &name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string &argument : arguments) {
+        if (!argument.starts_with("--")) continue;
+        const std::string given = argument.substr(0, argument.find('=')), nearest = by_likeness(given, names).at(0);
+        if (resembles(given, nearest)) return "; is " + nearest + " meant?";
+    }
+    return "";
 }
 
 int run(int argc, char **argv) {
@@ -43,6 +60,9 @@ int run(int argc, char **argv) {
         return status;
     } catch (const CLI::Success &help) {
         return print_help(app, help);
+    } catch (const CLI::ExtrasError &error) {
+        std::cerr << "brandung: " << error.what() << meant_instead(app, app.remaining(true)) << " (see --help)\n";
+        return 2;
     } catch (const CLI::ParseError &error) {
         std::cerr << "brandung: " << error.what() << " (see --help)\n";
         return 2;

@@ -1,9 +1,11 @@
 /// brandung check: reads a scene and all that it names, reports, and renders nothing. Needs no OpenCL device.
 #include <fmt/core.h>
 
+#include "runtime/integrators/integrator.h"
 #include "tools/commands.h"
 #include "tools/progress.h"
 #include "tools/report.h"
+#include "tools/report_text.h"
 #include "tools/standard_output.h"
 
 namespace brandung {
@@ -14,21 +16,18 @@ struct Options : SceneOptions {
 };
 
 std::string as_text(const nlohmann::json &report) {
-    const nlohmann::json &scene = report["scene"];
-    std::string text = fmt::format("{}: {} primitives ({} triangles), {} lights, {} materials, {} cameras\n", report["file"].get<std::string>(),
-                                   scene["primitives"].dump(), scene["triangles"].dump(), scene["lights"].dump(), scene["materials"].dump(),
-                                   scene["cameras"].dump());
-    for (const auto &[warning, count] : report["warnings"].items())
-        text += fmt::format("warning: {}{}\n", warning, count.get<uint>() > 1 ? fmt::format(" ({} times)", count.get<uint>()) : "");
-    return text;
+    return fmt::format("{}: {}\n", report["file"].get<std::string>(), contents_text(report["scene"])) +
+           warnings_text(report["warnings"], report["warning_places"]);
 }
 
 nlohmann::json report_of(const Options &options) {
     ProgressLine progress(false);
     const Scene scene = read_scene(options, [&](const std::string &file, double part) { progress.show_reading(file, part); });
     chosen_camera(scene, options.camera);
+    integrator_of(scene);
     const CompiledScene compiled = compile(scene);
-    return {{"file", scene.file}, {"scene", scene_contents(scene, compiled)}, {"warnings", compiled.warnings}};
+    return {
+        {"file", scene.file}, {"scene", scene_contents(scene, compiled)}, {"warnings", compiled.warnings}, {"warning_places", scene.warning_places}};
 }
 
 }  // namespace

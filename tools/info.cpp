@@ -1,18 +1,23 @@
 /// brandung info: what a scene contains, and what rendering it will take.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "tools/commands.h"
 #include "tools/report.h"
+#include "tools/report_text.h"
 #include "tools/standard_output.h"
 
 namespace brandung {
 namespace {
 
+using nlohmann::json;
+
 struct Options : SceneOptions {
     bool as_json = false;
 };
 
-nlohmann::json describe(const Options &options) {
+std::string text_of(const json &value) { return value.get<std::string>(); }
+
+json describe(const Options &options) {
     const Scene scene = read_scene(options);
     const Job job(scene, options, nullptr);
     return {{"file", scene.file},
@@ -26,21 +31,22 @@ nlohmann::json describe(const Options &options) {
             {"kernels", job.device.kernels()},
             {"features", features(job)},
             {"notes", scene.notes},
-            {"warnings", job.compiled.warnings}};
+            {"warnings", job.compiled.warnings},
+            {"warning_places", scene.warning_places}};
 }
 
-/// One line per value; what is nested is indented. Features have a form of their own.
-std::string as_text(const nlohmann::json &value, const std::string &indent) {
-    std::string text;
-    for (const auto &[name, item] : value.items()) {
-        if (name == "features") continue;
-        if (item.is_object() && item.empty()) continue;
-        if (item.is_object())
-            text += fmt::format("{}{}\n{}", indent, name, as_text(item, indent + "  "));
-        else
-            text += fmt::format("{}{}: {}\n", indent, name, item.is_string() ? item.get<std::string>() : item.dump());
-    }
-    return text;
+std::string as_text(const json &description) {
+    const json &film = description["film"], &memory = description["memory"];
+    std::string text = fmt::format("{}\n  has     {}\n", text_of(description["file"]), contents_text(description["scene"]));
+    text += fmt::format("  picture {} x {} pixels, {} spp, camera '{}'\n", film["width"].dump(), film["height"].dump(), film["spp"].dump(),
+                        text_of(description["camera"]));
+    text += fmt::format("  method  integrator {}, accelerator {}, on {}\n", text_of(description["integrator"]), text_of(description["accelerator"]),
+                        text_of(description["device"]));
+    for (const char *part : {"scene", "texture", "film", "wave"})
+        text += fmt::format("  memory  {:<8}{}\n", part, bytes_text(memory[std::string(part) + "_bytes"]));
+    for (const json &note : description["notes"]) text += text_of(note) + "\n";
+    return text + warnings_text(description["warnings"], description["warning_places"]) + explain(description["features"]) +
+           fmt::format("kernels {}\n", fmt::join(description["kernels"].get<std::vector<std::string>>(), " "));
 }
 
 }  // namespace
@@ -49,10 +55,11 @@ void add_info(CLI::App &app, int &) {
     CLI::App *command = app.add_subcommand("info", "say what a scene contains and what rendering it will take; renders nothing");
     auto options = std::make_shared<Options>();
     add_scene_options(*command, *options);
+    add_device_options(*command, *options);
     command->add_flag("--json", options->as_json, "print JSON");
     command->callback([options] {
-        const nlohmann::json description = describe(*options);
-        print_result(options->as_json ? description.dump(2) + "\n" : as_text(description, "") + explain(description["features"]));
+        const json description = describe(*options);
+        print_result(options->as_json ? description.dump(2) + "\n" : as_text(description));
     });
 }
 

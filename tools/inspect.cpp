@@ -68,6 +68,7 @@ void add_inspect(CLI::App &app, int &) {
     auto options = std::make_shared<Options>();
     options->keep_places = true;
     add_scene_options(*command, *options);
+    add_device_options(*command, *options);
     command->add_option("PIXEL", options->place, "X,Y: the pixel, from 0,0 at the top left")->required();
     command->add_option("--sample,--samples", options->sample, "number of the sample to show, from 0 on, or 'all'")->capture_default_str();
     command->add_flag("--brief", options->brief, "print the tree only, a line per ray");

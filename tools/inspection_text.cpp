@@ -68,9 +68,17 @@ private:
 
 // ---- the tree, a line per ray ----------------------------------------------------------------------------------------------------------------
 
+/// Transparent things are entered and left, others are hit.
+std::string encounter(const json &ray) {
+    const std::string side = text_of(ray["surface"]["side"]);
+    for (const json &child : ray["children"])
+        if (child["kind"] == "refracted" && child["possible"]) return side;
+    return side == "enters" ? "hits" : "hits the back of";
+}
+
 std::string what_it_meets(const json &ray) {
     if (ray["hit"].is_null()) return "meets nothing";
-    return fmt::format("{} \"{}\", {} {}", text_of(ray["surface"]["side"]), text_of(ray["hit"]["material"]), text_of(ray["hit"]["kind"]),
+    return fmt::format("{} \"{}\", {} {}", encounter(ray), text_of(ray["hit"]["material"]), text_of(ray["hit"]["kind"]),
                        text_of(ray["hit"]["primitive"]));
 }
 

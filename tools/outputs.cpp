@@ -11,6 +11,7 @@
 #include "scene/image.h"
 #include "scene/scene_hash.h"
 #include "scene/tone.h"
+#include "tools/numbers.h"
 #include "tools/report.h"
 
 namespace brandung {
@@ -66,6 +67,7 @@ std::map<std::string, std::string> metadata(const Job &job, const PhaseSeconds &
 std::string samples_taken(const RenderEnd &end) { return fmt::format("{} of {} samples", end.samples_done, end.samples_total); }
 
 void add_output_options(CLI::App &command, OutputOptions &options) {
+    command.option_defaults()->group("Output");
     command.add_option("-o,--output", options.files, "picture to write, its format by extension; several allowed")
         ->required()
         ->expected(1)
@@ -78,7 +80,8 @@ void add_output_options(CLI::App &command, OutputOptions &options) {
         ->expected(1)
         ->take_all()
         ->check(CLI::IsMember(names_of_bits()));
-    command.add_option("--quality", options.quality, "of JPEG, 1 to 100 (default: 98)")->check(CLI::Range(1u, 100u));
+    command.add_option("--quality", options.quality, "of JPEG, 1 to 100 (default: 98)")->check(whole_numbers(1u, 100u));
+    command.option_defaults()->group("Options");
 }
 
 void check_outputs(const OutputOptions &options, const FilmSettings &film) {

@@ -2,7 +2,10 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+
 #include "scene/error.h"
+#include "scene/image.h"
 #include "scene/output.h"
 #include "tools/commands.h"
 #include "tools/interruption.h"
@@ -20,9 +23,18 @@ Scene read_with_progress(const RenderCommandOptions &options, ProgressLine &prog
     return scene;
 }
 
+/// AOVs that the scene file asks for are not recorded for pictures without channels.
+void leave_out_aovs(const RenderCommandOptions &options, Scene &scene) {
+    const std::vector<std::string> &files = options.outputs.files;
+    if (scene.film.aovs.empty() || !options.aovs.empty() || std::any_of(files.begin(), files.end(), stores_channels)) return;
+    scene.film.aovs.clear();
+    scene.notes.push_back("film.aovs: not recorded, since no output is an EXR, which alone has channels for them");
+}
+
 /// Not after a render of hours.
-void check_files(const RenderCommandOptions &options, const FilmSettings &film) {
-    for (uint picture = 0; picture < options.pictures(); ++picture) check_outputs(options.outputs_of(picture), film);
+void check_files(const RenderCommandOptions &options, const Scene &scene) {
+    check_distinct(options, scene);
+    for (uint picture = 0; picture < options.pictures(); ++picture) check_outputs(options.outputs_of(picture), scene.film);
     if (!options.stats.empty()) check_writable(options.stats);
 }
 
@@ -34,13 +46,13 @@ int status_of(const RenderEnd &end) {
 
 int render(const RenderCommandOptions &options) {
     const double start = seconds_now();
-    check_distinct(options);
     const std::vector<PreviewTarget> targets = preview_targets(options);
     const std::optional<double> hold = hold_seconds(options);
     double read_seconds = 0;
     ProgressLine progress(options.quiet);
-    const Scene scene = timed(read_seconds, [&] { return read_with_progress(options, progress); });
-    check_files(options, scene.film);
+    Scene scene = timed(read_seconds, [&] { return read_with_progress(options, progress); });
+    leave_out_aovs(options, scene);
+    check_files(options, scene);
 
     Preview preview(targets, scene, options.outputs.files.front(), options.batch);
     for (const std::string &url : preview.urls()) fmt::print(stderr, "preview: {}\n", url);

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "tools/report_text.h"
+
 namespace brandung {
 namespace {
 
@@ -19,8 +21,7 @@ void check_memory(const Job &job) {
 }
 
 void print_warnings(const RenderCommandOptions &options, const Job &job) {
-    for (const auto &[text, count] : job.compiled.warnings)
-        fmt::print(stderr, "warning: {}{}\n", text, count > 1 ? fmt::format(" ({} times)", count) : "");
+    fmt::print(stderr, "{}", warnings_text(job.compiled.warnings, job.scene.warning_places));
     const DeviceInfo &device = job.device.info();
     if (options.threads > device.compute_units)
         fmt::print(stderr, "warning: --threads {}: '{}' has only {} compute units\n", options.threads, device.name, device.compute_units);

@@ -4,33 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
-#include <set>
 
+#include "tools/distinct_files.h"
 #include "tools/numbers.h"
 
 namespace brandung {
-namespace {
-
-/// One name per file, however it is spelt; the spelling itself where the system does not tell.
-std::filesystem::path canonical_name(const std::string &file) {
-    std::error_code error;
-    const std::filesystem::path absolute = std::filesystem::absolute(file, error);
-    const std::filesystem::path canonical = error ? absolute : std::filesystem::weakly_canonical(absolute, error);
-    return error ? std::filesystem::path(file) : canonical;
-}
-
-}  // namespace
-
 void add_render_options(CLI::App &command, RenderCommandOptions &options) {
     add_scene_options(command, options);
+    add_device_options(command, options);
     add_output_options(command, options.outputs);
+    command.footer("Example:\n  brandung render scene.json -o picture.exr -o picture.png --size 800x600 --spp 64");
+    command.option_defaults()->group("Output");
     command.add_option("--save-every", options.save_every, "while rendering write the pictures so far every so many seconds")
         ->check(numbers([](double x) { return x > 0 && std::isfinite(x); }, "a finite number of seconds above 0", "SECONDS"));
     command.add_option("--turntable", options.turntable, "render so many pictures, the camera going once around what it looks at: NAME_000.png, ...")
-        ->check(CLI::Range(1u, 1000u));
+        ->check(whole_numbers(1u, 1000u));
     command.add_option("--stats", options.stats, "write everything counted and timed to this JSON file");
+    command.add_flag("--explain", options.explain, "print what the scene needs and what was skipped");
+    command.add_flag("--quiet", options.quiet, "no progress");
+    command.option_defaults()->group("Preview");
     command
         .add_option("--preview", options.previews,
                     "show the growing picture: tev[:HOST:PORT] in the viewer tev (default 127.0.0.1:14158), web[:PORT] on a page for browsers on "
@@ -39,17 +32,13 @@ void add_render_options(CLI::App &command, RenderCommandOptions &options) {
         ->take_all();
     command.add_option("--preview-hold", options.preview_hold,
                        "seconds that the page stays after the render, or forever, until Ctrl-C (default: 2 if it is open somewhere, else 0)");
-    command.add_flag("--explain", options.explain, "print what the scene needs and what was skipped");
-    command.add_flag("--quiet", options.quiet, "no progress");
 }
 
-void check_distinct(const RenderCommandOptions &options) {
-    std::set<std::filesystem::path> known = {canonical_name(options.scene)};
-    const auto check = [&](const char *option, const std::string &file) {
-        if (!known.insert(canonical_name(file)).second) throw CLI::ValidationError(option, "'" + file + "' is the scene or another output already");
-    };
-    for (const std::string &output : options.outputs.files) check("--output", output);
-    if (!options.stats.empty()) check("--stats", options.stats);
+void check_distinct(const RenderCommandOptions &options, const Scene &scene) {
+    DistinctFiles files(scene.files);
+    for (uint picture = 0; picture < options.pictures(); ++picture)
+        for (const std::string &output : options.outputs_of(picture).files) files.add_output("--output", output);
+    if (!options.stats.empty()) files.add_output("--stats", options.stats);
 }
 
 std::vector<PreviewTarget> preview_targets(const RenderCommandOptions &options) {

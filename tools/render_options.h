@@ -25,8 +25,8 @@ struct RenderCommandOptions : SceneOptions {
 /// `options` must live until the command has run.
 void add_render_options(CLI::App &command, RenderCommandOptions &options);
 
-/// Of two files in one place the later would replace the earlier. Throws CLI::ValidationError.
-void check_distinct(const RenderCommandOptions &options);
+/// Of all that is written nothing may replace what is read or written too. Throws CLI::ValidationError.
+void check_distinct(const RenderCommandOptions &options, const Scene &scene);
 /// Throws CLI::ValidationError.
 std::vector<PreviewTarget> preview_targets(const RenderCommandOptions &options);
 /// Seconds that the page stays after the render; nothing where nothing is said. Throws CLI::ValidationError.

@@ -8,6 +8,7 @@
 #include "scene/bsdfs/bsdf.h"
 #include "scene/filters/filter.h"
 #include "scene/lights/light.h"
+#include "tools/report_text.h"
 
 namespace brandung {
 namespace {
@@ -23,9 +24,9 @@ std::vector<std::string> features_in_use(const Scene &scene, const CompiledScene
     used.push_back(std::string("filter ") + filter_kinds()[compiled.filter].name);
     for (const uint aov : scene.film.aovs) used.push_back(std::string("AOV ") + aov_kinds()[aov].name);
     used.push_back("integrator " + scene.integrator.type);
-    if (compiled.instance_count > 0) used.push_back(fmt::format("{} instances of {} groups", compiled.instance_count, compiled.group_count));
+    if (compiled.instance_count > 0) used.push_back(counted(compiled.instance_count, "instance") + " of " + counted(compiled.group_count, "group"));
     if (compiled.shading_normals) used.push_back("shading normals");
-    if (compiled.texture_count > 0) used.push_back(fmt::format("{} texture{}", compiled.texture_count, compiled.texture_count > 1 ? "s" : ""));
+    if (compiled.texture_count > 0) used.push_back(counted(compiled.texture_count, "texture"));
     if (compiled.header.vertex_colors.count > 0) used.push_back("vertex colours");
     if (compiled.header.background_texture != 0) used.push_back("picture as background");
     if (compiled.reflects) used.push_back("reflected rays");

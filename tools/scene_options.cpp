@@ -51,6 +51,8 @@ nlohmann::json background_value(const std::string &text) {
     if (numbers.size() == 1) return numbers[0];
     if (numbers.size() == 3) return numbers;
     if (!numbers.empty()) throw CLI::ValidationError("--background", "expected one number or three, got '" + text + "'");
+    if (!std::filesystem::path(text).has_extension())
+        throw CLI::ValidationError("--background", "expected a colour, as #RRGGBB, R,G,B or one number, or a picture's file, got '" + text + "'");
     return {{"image", std::filesystem::absolute(text).string()}};
 }
 
@@ -96,17 +98,26 @@ ViewChanges view_changes(const SceneOptions &options) {
     return changes;
 }
 
-}  // namespace
-
-void add_scene_options(CLI::App &command, SceneOptions &options) {
+void add_settings(CLI::App &command, SceneOptions &options) {
+    command.option_defaults()->group("Scene");
     command.add_option("scene", options.scene, "scene file: .json (native), .nff, or a mesh: .obj, .ply")->required();
-    command.add_option("--integrator", options.integrator, "how light gets to the eye (default: the scene's)");
+    command
+        .add_option("--set", options.settings,
+                    "any setting of the scene file, as KEY=VALUE: the key with dots and numbers (integrator.threshold, objects.0.radius), the value "
+                    "as in JSON")
+        ->expected(1)
+        ->take_all();
     command.add_option("--accelerator", options.accelerator, "wide_bvh, none or auto (default: the scene's)");
-    command.add_option("--spp", options.spp, "samples per pixel")->check(CLI::Range(1u, max_samples));
-    command.add_option("--size", options.size, "picture size as WIDTHxHEIGHT");
+}
+
+void add_picture_options(CLI::App &command, SceneOptions &options) {
+    command.option_defaults()->group("Picture");
+    command.add_option("--size", options.size, "picture size as WIDTHxHEIGHT (default: the scene's, or 512x512)");
     command.add_option("--crop", options.crop,
                        "the part of the picture to render as X0,Y0,X1,Y1: pixels from the left and the top, X1 and Y1 exclusive");
-    command.add_option("--seed", options.seed, "seed of random numbers")->check(CLI::Range(0u, 0xffffffffu));
+    command.add_option("--spp", options.spp, "samples per pixel (default: the scene's, or 1; of a mesh file 16)")
+        ->check(whole_numbers(1u, max_samples));
+    command.add_option("--seed", options.seed, "seed of random numbers")->check(whole_numbers(0u, 0xffffffffu));
     command.add_option("--pixel", options.pixel, "where a single sample lies: corner, center or random");
     command.add_option("--filter", options.filter, "how samples count in their pixel: box, tent, gaussian, mitchell or blackman_harris");
     command
@@ -119,6 +130,10 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
                        "of pictures of integers in EV, or auto: the median luminance of pixels that are not black becomes middle grey (of a "
                        "turntable, in its first picture)");
     command.add_option("--tone", options.tone, "curve of pictures of integers: srgb, filmic or none");
+}
+
+void add_view_options(CLI::App &command, SceneOptions &options) {
+    command.option_defaults()->group("Camera and background");
     command.add_option("--camera", options.camera, "name of the scene's camera to use (default: the first)");
     command.add_option("--from", options.from, "position of the eye as X,Y,Z (default: the camera's; a mesh gets a camera that sees all of it)");
     command.add_option("--at", options.at, "a point in the middle of the picture, as X,Y,Z");
@@ -128,21 +143,36 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
     command.add_option("--background", options.background,
                        "what rays see that leave the scene: a colour, as R,G,B or one number (linear) or #RRGGBB (sRGB), or a latitude-longitude "
                        "picture, whose middle lies in -z and whose upper edge in y");
-    command.add_option("--max-depth", options.max_depth, "rays in a chain, the eye ray being 1")->check(CLI::Range(1u, max_depth));
+}
+
+void add_light_options(CLI::App &command, SceneOptions &options) {
+    command.option_defaults()->group("Light");
+    command.add_option("--integrator", options.integrator, "how light gets to the eye (default: the scene's)");
+    command.add_option("--max-depth", options.max_depth, "rays in a chain, the eye ray being 1 (default: the scene's, or 5)")
+        ->check(whole_numbers(1u, max_depth));
     command
         .add_option("--light-samples", options.light_samples,
-                    "K: every emissive surface lights others from K x K of its points; 0: from none (default: the scene's)")
-        ->check(CLI::Range(0u, MAX_LIGHT_SAMPLES));
+                    "K: every emissive surface lights others from K x K of its points; 0: from none (default: the scene's, or 1; of a mesh file 2)")
+        ->check(whole_numbers(0u, MAX_LIGHT_SAMPLES));
     command.add_option("--shadows", options.shadows, "of transparent objects: opaque, or filtered, which lets light through (default: the scene's)");
-    command
-        .add_option("--set", options.settings,
-                    "any setting of the scene file, as KEY=VALUE: the key with dots and numbers (integrator.threshold, objects.0.radius), the value "
-                    "as in JSON")
-        ->expected(1)
-        ->take_all();
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App &command, SceneOptions &options) {
+    add_settings(command, options);
+    add_picture_options(command, options);
+    add_view_options(command, options);
+    add_light_options(command, options);
+    command.option_defaults()->group("Options");
+}
+
+void add_device_options(CLI::App &command, SceneOptions &options) {
+    command.option_defaults()->group("Device");
     command.add_option("--device", options.device, "OpenCL device whose name contains this");
-    command.add_option("--batch", options.batch, "rays per wave")->check(CLI::Range(1u, 1u << 24))->capture_default_str();
-    command.add_option("--threads", options.threads, "compute units to use of a CPU (default: all, as 0)")->check(CLI::Range(0u, max_threads));
+    command.add_option("--batch", options.batch, "rays per wave")->check(whole_numbers(1u, 1u << 24))->capture_default_str();
+    command.add_option("--threads", options.threads, "compute units to use of a CPU (default: all, as 0)")->check(whole_numbers(0u, max_threads));
+    command.option_defaults()->group("Options");
 }
 
 Scene read_scene(const SceneOptions &options, const ReadProgress &progress) {
@@ -152,7 +182,9 @@ Scene read_scene(const SceneOptions &options, const ReadProgress &progress) {
 const CameraDescription &chosen_camera(const Scene &scene, const std::string &name) {
     for (const CameraDescription &camera : scene.cameras)
         if (name.empty() || camera.name == name) return camera;
-    throw SceneError(scene.file + ": there is no camera '" + name + "'");
+    std::string names;
+    for (const CameraDescription &camera : scene.cameras) names += (names.empty() ? "" : ", ") + ("'" + camera.name + "'");
+    throw SceneError(scene.file + ": there is no camera '" + name + "', only " + names);
 }
 
 }  // namespace brandung

@@ -20,8 +20,10 @@ struct SceneOptions {
     bool keep_places = false;  ///< of shapes in their files; no option
 };
 
-/// `options` must live until the command has run.
+/// What a scene is and how it looks. `options` must live until the command has run.
 void add_scene_options(CLI::App &command, SceneOptions &options);
+/// On what it is rendered.
+void add_device_options(CLI::App &command, SceneOptions &options);
 /// The scene with its settings and cameras changed. Throws SceneError, and CLI::ValidationError for a size that is none, or a vector.
 Scene read_scene(const SceneOptions &options, const ReadProgress &progress = {});
 /// The scene's camera of that name, its first if the name is empty. Throws SceneError if there is none.

@@ -55,7 +55,7 @@ struct IntegratorKind {
     std::unique_ptr<Integrator> (*make)(const IntegratorJob &job);
 };
 const std::vector<IntegratorKind> &integrator_kinds();
-/// Throws SceneError with the list of names if there is none of that name.
-const IntegratorKind &find_integrator(const std::string &name);
+/// The one that the scene asks for. Throws SceneError, with the place where it does and the list of names, if there is none of that name.
+const IntegratorKind &integrator_of(const Scene &scene);
 
 }  // namespace brandung

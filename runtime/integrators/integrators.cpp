@@ -1,3 +1,5 @@
+#include <tuple>
+
 #include "runtime/integrators/integrator.h"
 #include "scene/error.h"
 #include "scene/formats/tokens.h"
@@ -13,13 +15,14 @@ const std::vector<IntegratorKind> &integrator_kinds() {
     return kinds;
 }
 
-const IntegratorKind &find_integrator(const std::string &name) {
+const IntegratorKind &integrator_of(const Scene &scene) {
+    const auto &[name, place] = std::tie(scene.integrator.type, scene.integrator.type_place);
     std::string known;
     for (const IntegratorKind &kind : integrator_kinds()) {
         if (kind.name == name) return kind;
         known += std::string(known.empty() ? "" : ", ") + kind.name;
     }
-    throw SceneError("there is no " + quoted(name) + ", only " + known);
+    throw SceneError((place.empty() ? scene.file : place) + ": there is no " + quoted(name) + ", only " + known);
 }
 
 }  // namespace brandung

@@ -202,7 +202,7 @@ TEST(BadFile, TrianglesWithoutAreaAreCountedNotRendered) {
         "indices": [0, 1, 2, 0, 1, 3, 1, 1, 2]})"));
     const Finished run = run_program({"render", scene, "-o", folder.path("out.png"), "--quiet"});
     EXPECT_EQ(run.status, 0) << run.err;
-    EXPECT_EQ(run.err, "warning: triangle without area: left out (2 times)\n");
+    EXPECT_EQ(run.err, "warning: triangle without area: left out (2 times, first at " + scene + ":8: /objects/0)\n");
 }
 
 TEST(BadFile, ASceneWithoutObjectsIsBackground) {

@@ -169,9 +169,9 @@ TEST(CliInspect, TextIsATreeAndThenEveryRay) {
     const TemporaryFolder folder;
     const Finished run = inspect(folder, {"8,6", "--sample", "3"});
     EXPECT_EQ(run.status, 0) << run.err;
-    for (const char *part : {"pixel 8,6 of 16 x 12: 4 spp", "sample 3: ", "\n└─ 0 camera enters \"grey\", sphere 0: adds ",
-                             "\n   └─ 1 reflected meets nothing", "\nray 0: camera, depth 1, enters", "light 0, point",
-                             "\nray 1: reflected, depth 2, meets nothing", "\nsum of sample 3 ", " in 4 samples\n"})
+    for (const char *part :
+         {"pixel 8,6 of 16 x 12: 4 spp", "sample 3: ", "\n└─ 0 camera hits \"grey\", sphere 0: adds ", "\n   └─ 1 reflected meets nothing",
+          "\nray 0: camera, depth 1, hits", "light 0, point", "\nray 1: reflected, depth 2, meets nothing", "\nsum of sample 3 ", " in 4 samples\n"})
         EXPECT_NE(run.out.find(part), std::string::npos) << part << " in\n" << run.out;
     const Finished brief = inspect(folder, {"8,6", "--brief"});
     EXPECT_EQ(brief.out.find("ray 0:"), std::string::npos) << brief.out;
