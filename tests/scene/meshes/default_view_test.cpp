@@ -210,6 +210,22 @@ TEST(MeshObject, IsAFileOfTheScenesFolderWithMaterialsOfItsOwnOrTheScenes) {
     EXPECT_NE(error("red.mtl").find("red.mtl: unknown format of meshes \".mtl\"; known by extension: .obj .ply"), std::string::npos);
 }
 
+TEST(MeshObject, WarningsHaveThePlaceOfTheirFirstCause) {
+    MeshFolder folder;
+    const std::string mesh = folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\nl 2 3\nf 1 2 3\nfoo\nf 1 1 2\n");
+    const std::string file = folder.write("scene.json", R"({"camera": {"from": [0, 0, 5], "at": [0, 0, 0]}, "ambient": 1, "objects": [
+{"type": "mesh", "file": "a.obj"}],
+"materials": [{"name": "a", "type": "whitted", "diffuse": 2}]})");
+    const std::map<std::string, std::string> expected = {
+        {"diffuse reflectance above 1: more light leaves than arrives; colours are from 0 to 1", file + ":3: /materials/0"},
+        {"lines (l): left out", mesh + ":4"},
+        {"triangle without area: left out", file + ":2: /objects/0"},
+        {"unknown statement: left out", mesh + ":7"}};
+    const Scene scene = read_scene(file);
+    EXPECT_EQ(scene.warning_places, expected);
+    EXPECT_EQ(scene.files, (std::vector<std::string>{file, mesh}));
+}
+
 /// Neither libraries nor textures, and no warnings of them.
 TEST(MeshObject, WithAMaterialOfTheScenesReadsNoneOfItsFile) {
     MeshFolder folder;
