@@ -10,11 +10,11 @@
 namespace brandung {
 namespace {
 
-/// Samples of one pixel that one batch takes: few, so that an interrupted picture is whole, if noisier, but more where the whole picture is in
-/// every batch anyway.
-uint samples_at_once(const FilmSettings &film, uint batch) {
-    const std::uint64_t few = 16, pixels = film.window().pixels();
-    return static_cast<uint>(std::min<std::uint64_t>({film.spp, batch, std::max(few, batch / pixels)}));
+/// Samples of one pixel that one batch takes, the first `done` being done: one at first, so that there is a whole picture soon, then few, so that an
+/// interrupted one is whole, if noisier; but more where the whole picture is in every batch anyway.
+uint samples_at_once(const FilmSettings &film, uint batch, uint done) {
+    const std::uint64_t few = done == 0 ? 1 : 16, pixels = film.window().pixels();
+    return static_cast<uint>(std::min<std::uint64_t>({film.spp - done, batch, std::max(few, batch / pixels)}));
 }
 
 /// The divisor nearest below the root: a grid of so many samples has that many rows.
@@ -102,10 +102,9 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
       options_(std::move(options)),
       camera_(make_camera(camera, film_settings_.width, film_settings_.height)),
       interior_(media_of_eye(scene, compiled, camera)),
-      samples_per_batch_(samples_at_once(film_settings_, options_.batch)),
       filter_(device, film_settings_, on_device.lists()),
       integrator_(integrator_of(scene).make({device, scene, compiled, on_device, filter_, options_.batch, options_.on_step})),
-      pixels_(device, options_.batch / samples_per_batch_),
+      pixels_(device, options_.batch),
       samples_(device, options_.batch) {}
 
 std::size_t Renderer::wave_bytes() const { return integrator_->wave_bytes() + filter_.bytes() + pixels_.bytes() + samples_.bytes(); }
@@ -125,10 +124,11 @@ RenderEnd Renderer::render(Film &film, const std::vector<Observer> &observers, A
 bool Renderer::render_batches(Film &film, RenderProgress &progress, const std::vector<Observer> &observers, Aovs *aovs) {
     Announcement announcement(observers);
     const uint spp = film_settings_.spp;
-    for (uint first = 0; first < spp; first += samples_per_batch_) {
+    for (uint first = 0, samples = 0; first < spp; first += samples) {
+        samples = samples_at_once(film_settings_, options_.batch, first);
+        const uint pixels_at_once = options_.batch / samples;
         PixelOrder order(film.window());
-        for (auto pixels = order.next(pixels_.size()); !pixels.empty(); pixels = order.next(pixels_.size())) {
-            const uint samples = std::min(samples_per_batch_, spp - first);
+        for (auto pixels = order.next(pixels_at_once); !pixels.empty(); pixels = order.next(pixels_at_once)) {
             render_batch(film, pixels, first, samples, aovs, nullptr);
             progress.samples_done += pixels.size() * samples;
             if (!announcement.tell(progress)) return progress.samples_done == progress.samples_total;

@@ -65,7 +65,6 @@ private:
     RenderOptions options_;
     Camera camera_;
     std::vector<uint> interior_;  ///< media that the eye is in
-    uint samples_per_batch_;      ///< of one pixel
     Filter filter_;
     std::unique_ptr<Integrator> integrator_;
     Buffer<uint> pixels_;

@@ -24,6 +24,7 @@ struct CompiledScene {
     std::string accelerator;
     bool reflects = false, transmits = false;  ///< whether any material spawns such rays
     bool filters_shadows = false;              ///< whether transparent objects let light through, and there are some
+    bool emissive_instances = false;           ///< whether any light is an emissive shape of an instance
     bool highlights = false;                   ///< whether any material has one
     bool shading_normals = false;              ///< whether any primitive has normals of its own for shading
     bool tints = false;                        ///< whether pictures or vertices give any hit or miss a colour
@@ -34,7 +35,6 @@ struct CompiledScene {
     std::size_t group_count = 0, instance_count = 0;
     std::vector<std::size_t> counts;           ///< of primitives, by kind in use
     uint dark_emitters = 0;                    ///< emissive shapes that would be lights, but for integrator.light_samples
-    uint emitters_in_groups = 0;               ///< emissive shapes that are no lights, because they are in groups
     std::map<std::string, uint> light_counts;  ///< of lights and emissive shapes, by kind
     double accelerator_seconds = 0;
     std::map<std::string, uint> warnings;  ///< the scene's and those found here: text -> how often

@@ -47,6 +47,7 @@ struct IntegratorSettings {
     float threshold = 0;            ///< rays of smaller weight are not spawned
     uint light_samples = 1;         ///< of an emissive surface, the square root of how many of its points light another; 0: it lights nothing
     bool filtered_shadows = false;  ///< transparent objects let light through, straight on
+    bool shadows_unsaid = false;    ///< whether neither the scene's file, which could, nor an option says how shadows are
 };
 
 struct NamedMaterial {
@@ -80,6 +81,7 @@ struct Scene {
     std::vector<NamedGroup> groups;
     std::vector<PlacedGroup> instances;
     std::vector<Light> lights;
+    std::optional<uint> headlight;  ///< the one of them, a point light, that stays where it is seen from the camera when that is turned
     Spectrum background{0}, ambient{0};
     uint background_texture = 0;  ///< number + 1 of the panorama that the background is multiplied by; 0: none
     float background_turn = 0;    ///< by which it is turned about the y axis [turns]

@@ -27,10 +27,14 @@ std::string view_options(const CameraDescription &camera) {
 }
 
 /// Rodrigues' formula.
+vec3 turned(vec3 p, const CameraDescription &camera, double angle) {
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(camera.up)), at(camera.at), way = glm::dvec3(p) - at;
+    return vec3(at + way * std::cos(angle) + glm::cross(axis, way) * std::sin(angle) + axis * glm::dot(axis, way) * (1 - std::cos(angle)));
+}
+
 CameraDescription turned(const CameraDescription &camera, double angle) {
-    const glm::dvec3 axis = glm::normalize(glm::dvec3(camera.up)), at(camera.at), way = glm::dvec3(camera.from) - at;
     CameraDescription result = camera;
-    result.from = vec3(at + way * std::cos(angle) + glm::cross(axis, way) * std::sin(angle) + axis * glm::dot(axis, way) * (1 - std::cos(angle)));
+    result.from = turned(camera.from, camera, angle);
     return result;
 }
 

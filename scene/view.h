@@ -27,7 +27,9 @@ struct ViewChanges {
 /// The options that give the view of a camera: "--from 1,2,3 --at 0,0,0 --up 0,1,0 --fov 45".
 std::string view_options(const CameraDescription &camera);
 
-/// The camera turned by an angle [radians] around the axis through `at` along `up`, counterclockwise as seen from above.
+/// A point turned by an angle [radians] around the axis through the camera's `at` along its `up`, counterclockwise as seen from above.
+vec3 turned(vec3 p, const CameraDescription &camera, double angle);
+/// The camera turned around itself.
 CameraDescription turned(const CameraDescription &camera, double angle);
 
 }  // namespace brandung

@@ -1,6 +1,9 @@
 #include "tools/job.h"
 
 #include <chrono>
+#include <cstring>
+
+#include "scene/view.h"
 
 namespace brandung {
 namespace {
@@ -33,6 +36,19 @@ Job::Job(const Scene &scene, const SceneOptions &options, std::function<void(con
       })) {
     seconds.accelerator = compiled.accelerator_seconds;
     seconds.scene -= seconds.accelerator;
+}
+
+void Job::turn(double angle) {
+    const CameraDescription turned_camera = turned(camera, angle);
+    renderer.look_from(turned_camera);
+    if (aovs) aovs->begin(turned_camera);
+    if (!scene.headlight) return;
+    Light light = scene.lights[*scene.headlight];
+    vec3 position;
+    std::memcpy(&position, light.words, sizeof position);
+    position = turned(position, camera, angle);
+    std::memcpy(light.words, &position, sizeof position);
+    on_device.write_light(*scene.headlight, light);
 }
 
 }  // namespace brandung

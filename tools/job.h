@@ -35,6 +35,8 @@ template <class Phase> auto timed(double &seconds, Phase phase) {
 struct Job {
     /// `scene` must live as long. `on_build` is called with a kernel file's name before it is built. Throws SceneError and Error.
     Job(const Scene &scene, const SceneOptions &options, std::function<void(const std::string &)> on_build, WatchSteps on_step = {});
+    /// Looks from the camera turned by an angle [radians], and turns the headlight with it, if there is one.
+    void turn(double angle);
     /// Of scene, film and waves, at most.
     std::size_t bytes() const { return on_device.bytes() + on_device.texture_bytes() + film_bytes() + renderer.wave_bytes(); }
     /// Of radiance and AOVs.

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "scene/error.h"
-#include "scene/view.h"
 #include "tools/interruption.h"
 #include "tools/render_messages.h"
 
@@ -70,10 +69,8 @@ std::pair<RenderEnd, float> render_pictures(const RenderCommandOptions &options,
         OutputOptions outputs = options.outputs_of(picture);
         outputs.exposure = exposure;
         if (picture > 0) {
-            const CameraDescription camera = turned(job.camera, 2 * std::numbers::pi * picture / options.pictures());
-            job.renderer.look_from(camera);
+            job.turn(2 * std::numbers::pi * picture / options.pictures());
             job.film.clear();
-            if (job.aovs) job.aovs->begin(camera);
             sequence.begin_next();
         }
         std::vector<Observer> observers = of_all;

@@ -77,12 +77,14 @@ json SceneObjects::primitive(uint number, uint instance_number) {
 
 json SceneObjects::light(uint row) {
     const char *kind = light_kinds()[lights_.rows[row].kind].name;
-    const Shape *emissive = lights_.shapes[row];
-    if (!emissive) return {{"row", row}, {"kind", kind}, {"light", row}, {"emissive", nullptr}};
-    const auto same = [&](const Placed &placed) { return placed.shape == emissive; };
+    const PlacedShape &emissive = lights_.shapes[row];
+    if (!emissive.shape) return {{"row", row}, {"kind", kind}, {"light", row}, {"emissive", nullptr}};
+    const auto same = [&](const Placed &placed) { return placed.shape == emissive.shape; };
     json result = shape(*std::find_if(shapes_.begin(), shapes_.end(), same));
-    const auto first = std::find(lights_.shapes.begin(), lights_.shapes.end(), emissive);
-    const uint stratum = row - static_cast<uint>(first - lights_.shapes.begin()), rows = scene_.integrator.light_samples;
+    result["instance"] = instance(emissive.instance);
+    result["material"] = scene_.materials[emissive.material].name;
+    // Lights of files come first, then every shape has as many strata.
+    const uint rows = scene_.integrator.light_samples, stratum = (row - static_cast<uint>(scene_.lights.size())) % (rows * rows);
     result["stratum"] = {{"column", stratum % rows}, {"row", stratum / rows}, {"rows", rows}};
     return {{"row", row}, {"kind", kind}, {"light", nullptr}, {"emissive", result}};
 }

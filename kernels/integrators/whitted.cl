@@ -97,8 +97,8 @@ kernel void spawn_shadow_rays(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint 
     FOR_EACH_ITEM(i, count) {
         const SurfacePoint surface = load(points + i);
         const LightSample sample = light_sample(scene, light, surface.origin, paths[list[i]].branch);
-        const bool leaves = !SHADING_NORMALS || dot3(load(interfaces + i).geometric, sample.direction) > 0.0f;
-        row_rays[i] = ray_to_light(surface.origin, sample.direction, sample.distance, leaves ? SURFACE_PRIMITIVE(surface.flags) : NO_HIT);
+        const bool leaves = !SHADING_NORMALS || dot3(load(interfaces + i).geometric, sample.ray_direction) > 0.0f;
+        row_rays[i] = ray_to_light(surface.origin, sample.ray_direction, sample.distance, leaves ? SURFACE_PRIMITIVE(surface.flags) : NO_HIT);
         row_alive[i] = light_refusals(surface, sample) == 0u;
     }
 }

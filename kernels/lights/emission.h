@@ -15,9 +15,17 @@ typedef struct {
 typedef struct {
     Spectrum power;  ///< radiance, times the area where points are uniform by area, over k²
     Stratum stratum;
+    uint instance;  ///< that the shape is in; 0: none
 } Emission;
 
-/// Flat faces of a mesh; points are uniform by area.
+/// A point of a shape's surface, both of whose sides shine, in the shape's own space or in the world; never stored.
+typedef struct {
+    vec3 p, normal;         ///< of unit length
+    float error;            ///< bounds how far from the surface p is
+    float inverse_density;  ///< over the density with which p was chosen, but for what Emission.power has of it already [area]
+} EmissivePoint;
+
+/// Parts of flat faces of a mesh; points are uniform by area. Its stratum has but a salt.
 typedef struct {
     Emission emission;
     uint first_face, faces;  ///< in SceneHeader.emissive_faces
@@ -36,12 +44,13 @@ typedef struct {
     float radius, rise;
 } EmissiveFrustum;
 
-/// A triangle or parallelogram of a mesh, and the face's entry in the mesh's table of aliases (Walker 1977; Vose 1991). 64 bytes.
+/// A part of a triangle or parallelogram of a mesh, and its entry in the cell's table of aliases (Walker 1977; Vose 1991). 72 bytes.
 typedef struct {
     vec3 corner, u, v;  ///< points corner + s u + t v, s and t in [0, 1]; of a triangle, s + t <= 1 too
     vec3 normal;        ///< unit length
     float folded;       ///< 1 for a triangle, else 0
     float error;        ///< bounds how far from the face the points are
     float kept;         ///< with this probability the entry means its own face,
-    uint alias;         ///< else this one, counted in the mesh
+    uint alias;         ///< else this one, counted in the cell
+    uint first, last;   ///< the part: s and t are on Morton's curve through the unit square between these places [2^-32]
 } EmissiveFace;

@@ -9,9 +9,9 @@
 FUNCTION EmissiveFrustum emissive_frustum_view(Light l) {
     EmissiveFrustum light;
     light.emission = emission_view(l);
-    light.center = make3(as_float(l.words[6]), as_float(l.words[7]), as_float(l.words[8]));
-    light.along = make3(as_float(l.words[9]), as_float(l.words[10]), as_float(l.words[11]));
-    light.radius = as_float(l.words[12]), light.rise = as_float(l.words[13]);
+    light.center = make3(as_float(l.words[7]), as_float(l.words[8]), as_float(l.words[9]));
+    light.along = make3(as_float(l.words[10]), as_float(l.words[11]), as_float(l.words[12]));
+    light.radius = as_float(l.words[13]), light.rise = as_float(l.words[14]);
     return light;
 }
 
@@ -31,5 +31,5 @@ FUNCTION LightSample emissive_frustum_sample(Scene scene, Light l, vec3 p, uint 
     const vec3 q = plus(light.center, plus(scaled(light.along, z), scaled(outward, radius)));
     const vec3 normal = unit(minus(scaled(outward, half_length), scaled(axis, light.rise)));
     const float error = 0x1p-20f * (largest(absolute(light.center)) + half_length + light.radius + fabs(light.rise));
-    return emission_sample(p, q, normal, error, light.emission.power);
+    return emission_sample(scene, light.emission, p, emissive_point(q, normal, error, 1.0f));
 }

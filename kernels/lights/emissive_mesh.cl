@@ -1,4 +1,4 @@
-// Emissive mesh: points uniform by area, in strata of every face.
+// Emissive mesh: points uniform by area in the part of the mesh that is the cell.
 #pragma once
 #include "kernels/core/load.cl"
 #include "kernels/core/scene.cl"
@@ -8,7 +8,7 @@
 FUNCTION EmissiveMesh emissive_mesh_view(Light l) {
     EmissiveMesh light;
     light.emission = emission_view(l);
-    light.first_face = l.words[6], light.faces = l.words[7];
+    light.first_face = l.words[7], light.faces = l.words[8];
     return light;
 }
 
@@ -20,6 +20,25 @@ FUNCTION const global EmissiveFace *emissive_mesh_face(Scene scene, EmissiveMesh
     const global EmissiveFace *face = faces + min(light.first_face + entry, last);
     const uint chosen = unit_interval(hash(random + 3u)) < face->kept ? entry : face->alias;
     return faces + min(light.first_face + chosen, last);
+}
+
+/// The even bits of x, together.
+FUNCTION uint even_bits(uint x) {
+    x &= 0x55555555u;
+    x = (x | x >> 1) & 0x33333333u;
+    x = (x | x >> 2) & 0x0f0f0f0fu;
+    x = (x | x >> 4) & 0x00ff00ffu;
+    return (x | x >> 8) & 0xffffu;
+}
+
+/// A place on the face's part of Morton's curve, and chance within the curve's steps of 2^-16.
+FUNCTION vec2 curve_point(const global EmissiveFace *face, uint random) {
+    const uint64 steps = (uint64)(face->last - face->first) + 1u;
+    const uint place = face->first + (uint)((uint64)random * steps >> 32);
+    vec2 point;
+    point.x = ((float)(int)even_bits(place) + unit_interval(hash(random + 4u))) * 0x1p-16f;
+    point.y = ((float)(int)even_bits(place >> 1) + unit_interval(hash(random + 5u))) * 0x1p-16f;
+    return point;
 }
 
 /// The square is folded onto the triangle, so that neighbours stay neighbours (Heitz, A Low-Distortion Map Between Triangle and Square, 2019).
@@ -36,8 +55,8 @@ FUNCTION LightSample emissive_mesh_sample(Scene scene, Light l, vec3 p, uint bra
     const EmissiveMesh light = emissive_mesh_view(l);
     const uint random = stratum_random(light.emission.stratum, branch);
     const global EmissiveFace *face = emissive_mesh_face(scene, light, random);
-    const vec2 square = stratum_point(light.emission.stratum, random), folded = triangle_of_square(square);
+    const vec2 square = curve_point(face, hash(random + 1u)), folded = triangle_of_square(square);
     const float s = face->folded > 0.0f ? folded.x : square.x, t = face->folded > 0.0f ? folded.y : square.y;
     const vec3 q = plus(load(&face->corner), plus(scaled(load(&face->u), s), scaled(load(&face->v), t)));
-    return emission_sample(p, q, load(&face->normal), face->error, light.emission.power);
+    return emission_sample(scene, light.emission, p, emissive_point(q, load(&face->normal), face->error, 1.0f));
 }

@@ -13,16 +13,17 @@
 FUNCTION EmissiveSphere emissive_sphere_view(Light l) {
     EmissiveSphere light;
     light.emission = emission_view(l);
-    light.center = make3(as_float(l.words[6]), as_float(l.words[7]), as_float(l.words[8]));
-    light.radius = as_float(l.words[9]);
+    light.center = make3(as_float(l.words[7]), as_float(l.words[8]), as_float(l.words[9]));
+    light.radius = as_float(l.words[10]);
     return light;
 }
 
 /// Where the axis is z and points to p, at distance d from the centre: from outside z² is uniform between (radius / d)², the horizon, and 1, so that
 /// the density [1/area] is z / (pi radius² (1 - (radius / d)²)), which from afar makes every point count the same; from inside z is uniform
 /// between -1 and 1, and the density 1 / (4 pi radius²).
-FUNCTION LightSample emissive_sphere_sample(Scene scene, Light l, vec3 p, uint branch) {
+FUNCTION LightSample emissive_sphere_sample(Scene scene, Light l, vec3 world_p, uint branch) {
     const EmissiveSphere light = emissive_sphere_view(l);
+    const vec3 p = lit_point_in_group(scene, light.emission.instance, world_p);
     const vec2 square = stratum_point(light.emission.stratum, stratum_random(light.emission.stratum, branch));
     const bool outside = emissive_sphere_offset(light.center, light.radius, p) > 0.0f;
     const vec3 f = minus(p, light.center);
@@ -34,5 +35,5 @@ FUNCTION LightSample emissive_sphere_sample(Scene scene, Light l, vec3 p, uint b
     const vec3 normal = unit(from_axis(axis, z, turn(square.y)));
     const vec3 q = plus(light.center, scaled(normal, light.radius));
     const float error = 0x1p-21f * (largest(absolute(light.center)) + light.radius);
-    return emission_sample(p, q, normal, error, scaled(light.emission.power, inverse_density));
+    return emission_sample(scene, light.emission, world_p, emissive_point(q, normal, error, inverse_density));
 }

@@ -6,14 +6,14 @@
 
 FUNCTION LightSample where(int c, LightSample a, LightSample b) {
     LightSample r;
-    r.direction = where(c, a.direction, b.direction), r.distance = where(c, a.distance, b.distance);
-    r.irradiance = where(c, a.irradiance, b.irradiance);
+    r.direction = where(c, a.direction, b.direction), r.ray_direction = where(c, a.ray_direction, b.ray_direction);
+    r.distance = where(c, a.distance, b.distance), r.irradiance = where(c, a.irradiance, b.irradiance);
     return r;
 }
 
 /// Light from `light` at p, for the ray with this branch, by which points of emissive shapes are chosen.
 FUNCTION LightSample light_sample(Scene scene, Light light, vec3 p, uint branch) {
-    LightSample sample = {{0.0f, 0.0f, 0.0f}, 0.0f, {0.0f, 0.0f, 0.0f}};
+    LightSample sample = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, 0.0f, {0.0f, 0.0f, 0.0f}};
 #define CASE(KIND, View, name) \
     ONLY_IF(light.kind == KIND) sample = where(light.kind == KIND, name##_sample(scene, light, p, branch), sample);
     FOR_EACH_LIGHT(CASE)

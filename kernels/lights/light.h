@@ -9,6 +9,7 @@
 
 typedef struct {
     vec3 direction;       ///< from the point towards the light, unit length
-    float distance;       ///< to the light, infinite for directional ones
+    vec3 ray_direction;   ///< the same, but for what keeps a ray off a surface that shines
+    float distance;       ///< at which a ray in that direction ends, infinite for directional lights
     Spectrum irradiance;  ///< on a surface at the point that faces the light [W/m²]
 } LightSample;

@@ -29,7 +29,7 @@ FUNCTION LightSample spot_sample(Scene scene, Light l, vec3 p, uint branch) {
     const vec3 way = minus(light.position, p);
     const float distance = sqrt(dot3(way, way));
     LightSample sample;
-    sample.direction = scaled(way, 1.0f / distance);
+    sample.direction = sample.ray_direction = scaled(way, 1.0f / distance);
     sample.distance = distance;
     sample.irradiance = scaled(light.intensity, spot_falloff(light, sample.direction) / attenuation_at(light.attenuation, distance));
     return sample;

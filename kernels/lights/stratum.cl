@@ -9,6 +9,7 @@ FUNCTION Emission emission_view(Light l) {
     Emission emission;
     emission.power = make3(as_float(l.words[0]), as_float(l.words[1]), as_float(l.words[2]));
     emission.stratum.salt = l.words[3], emission.stratum.rows = l.words[4], emission.stratum.column_and_row = l.words[5];
+    emission.instance = l.words[6];
     return emission;
 }
 

@@ -1,5 +1,6 @@
 // The surface and the material at one hit of a list, in an instance or outside of all; for loops that are not vectorised.
 #pragma once
+#include "generated/constants.h"
 #include "generated/instances.cl"
 #include "kernels/primitives/primitive.cl"
 
@@ -7,6 +8,17 @@ FUNCTION Surface surface_of(Scene scene, Ray ray, PlacedHit hit) {
     const global ShadingRecord *record = SCENE_ARRAY(scene, ShadingRecord, shading) + hit.hit.primitive;
     const Ray inner = ray_in_group(scene, instance_of(hit), ray);
     return surface_in_world(scene, instance_of(hit), primitive_surface_serially(scene, record, inner, hit.hit));
+}
+
+/// Whether the ray cannot meet the same again further on.
+FUNCTION bool is_flat(Scene scene, PlacedHit hit) {
+    return (FLAT_KINDS >> SCENE_ARRAY(scene, ShadingRecord, shading)[hit.hit.primitive].kind & 1u) != 0u;
+}
+
+/// Whether the point of the one lies on the other, within the errors of both.
+FUNCTION bool coincide(Surface a, Surface b) {
+    const vec3 n = absolute(a.geometric);
+    return fabs(dot3(a.geometric, minus(b.p, a.p))) <= dot3(n, plus(a.error, b.error));
 }
 
 FUNCTION uint material_index_of(Scene scene, PlacedHit hit) {

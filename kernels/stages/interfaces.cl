@@ -14,12 +14,6 @@ typedef struct {
 
 FUNCTION bool transmits(Scene scene, PlacedHit hit) { return (material_of(scene, hit)->flags & MATERIAL_TRANSMITS) != 0u; }
 
-/// Whether the point of the one lies on the other, within the errors of both.
-FUNCTION bool coincide(Surface a, Surface b) {
-    const vec3 n = absolute(a.geometric);
-    return fabs(dot3(a.geometric, minus(b.p, a.p))) <= dot3(n, plus(a.error, b.error));
-}
-
 /// Makes the list those hits that coincide with its first. What is opaque hides the others.
 FUNCTION void keep_coincident(Scene scene, Ray ray, HitList *list) {
     const Surface first = surface_of(scene, ray, list->hits[0]);

@@ -12,7 +12,7 @@
 typedef struct {
     const global Material *material;
     bool enters;
-    float t;
+    Surface surface;
 } Pane;
 
 /// What a face lets through: nothing if it is opaque. Fresnel's law is that of the side with the lower index, so that a plate, both of whose faces
@@ -22,34 +22,65 @@ FUNCTION Spectrum pane_transmission(Pane pane, float cosine) {
     return bsdf_split(pane.material, cosine, refracted_cosine_squared(cosine, eta), eta, false).refracted;
 }
 
-/// The product of all faces' transmissions, in the order of (t, instance, primitive), as any accelerator finds them. Neighbours in a mesh that share
-/// the edge which the ray meets are one face. `passed` ends with the face that takes the rest of the light, if one does.
+FUNCTION Pane pane_at(Scene scene, Ray ray, PlacedHit hit) {
+    const Surface surface = surface_of(scene, ray, hit);
+    const Pane pane = {material_of(scene, hit), dot3(surface.geometric, ray.direction) < 0.0f, surface};
+    return pane;
+}
+
+/// Neighbours in a mesh that share the edge which the ray meets are one.
+FUNCTION bool are_one(Pane a, Pane b) { return a.material == b.material && a.enters == b.enters && coincide(a.surface, b.surface); }
+
+/// What a list of hits says for sure: of what a ray can cross twice it has but the first crossing, so that it is good up to the first such thing, and
+/// what coincides with that.
+typedef struct {
+    uint count;  ///< hits that are sure to be all up to the last of them
+    uint last;   ///< the one from which on the others are to be looked for
+    bool all;    ///< whether there are no others
+} Certain;
+
+FUNCTION Certain certain_hits(Scene scene, Ray ray, const HitList *list) {
+    const Certain flat = {list->count, list->count - 1u, list->count < HIT_LIST_SIZE};
+    for (uint k = 0u; k < list->count; ++k) {
+        if (is_flat(scene, list->hits[k])) continue;
+        const Surface curved = surface_of(scene, ray, list->hits[k]);
+        Certain certain = {k + 1u, k, false};
+        while (certain.count < list->count && coincide(curved, surface_of(scene, ray, list->hits[certain.count]))) ++certain.count;
+        return certain;
+    }
+    return flat;
+}
+
+/// The ray, straight on behind a hit.
+FUNCTION Ray ray_behind(Scene scene, Ray ray, PlacedHit hit) {
+    const Pane pane = pane_at(scene, ray, hit);
+    const vec3 onward = scaled(pane.surface.geometric, pane.enters ? -1.0f : 1.0f);
+    ray.origin = spawn_origin(pane.surface.p, scaled(onward, dot3(absolute(onward), pane.surface.error)));
+    ray.t_max -= hit.hit.t;
+    ray.tag = RAY_TAG(RAY_SHADOW, hit.hit.primitive);
+    return ray;
+}
+
+/// The product of all faces' transmissions, in the order of (t, instance, primitive), as any accelerator finds them. `passed` ends with the face that
+/// takes the rest of the light, if one does.
 FUNCTION Spectrum transmission_along(Scene scene, Ray ray, uint source_instance, FaceList *passed) {
     Spectrum light = make3(1.0f, 1.0f, 1.0f);
-    Pane last = {0, false, 0.0f};
+    Pane last;
+    last.material = 0;
     for (;;) {
-        const ray_x8 lanes = prepare(ray, scene.header->world.extent);
-        const float margin = crowd_margin(&lanes);
         HitList list = empty_list();
         scene_any_hit(scene, ray, source_instance, &list);
-        Surface surface;
-        for (uint k = 0u; k < list.count; ++k) {
-            surface = surface_of(scene, ray, list.hits[k]);
-            const float projection = dot3(surface.geometric, ray.direction);
-            const Pane pane = {material_of(scene, list.hits[k]), projection < 0.0f, list.hits[k].hit.t};
-            const bool known = pane.material == last.material && pane.enters == last.enters && pane.t - last.t <= margin;
+        const Certain certain = certain_hits(scene, ray, &list);
+        for (uint k = 0u; k < certain.count; ++k) {
+            const Pane pane = pane_at(scene, ray, list.hits[k]), before = last;
             last = pane;
-            if (known) continue;
-            const Spectrum part = pane_transmission(pane, minimum(fabs(projection), 1.0f));
-            if (passed && largest(light) > 0.0f) face_list_add(passed, list.hits[k], surface.p, pane.enters, part);
+            if (are_one(pane, before)) continue;
+            const Spectrum part = pane_transmission(pane, minimum(fabs(dot3(pane.surface.geometric, ray.direction)), 1.0f));
+            if (passed && largest(light) > 0.0f) face_list_add(passed, list.hits[k], pane.surface.p, pane.enters, part);
             light = times(light, part);
         }
-        if (list.count < HIT_LIST_SIZE || largest(light) <= 0.0f) return light;
-        const vec3 onward = scaled(surface.geometric, last.enters ? -1.0f : 1.0f);
-        ray.origin = spawn_origin(surface.p, scaled(onward, dot3(absolute(onward), surface.error)));
-        ray.t_max -= last.t;
-        ray.tag = RAY_TAG(RAY_SHADOW, list.hits[list.count - 1u].hit.primitive);
-        source_instance = instance_of(list.hits[list.count - 1u]);
-        last.t = 0.0f;
+        if (certain.all || largest(light) <= 0.0f) return light;
+        source_instance = instance_of(list.hits[certain.last]);
+        ray = ray_behind(scene, ray, list.hits[certain.last]);
     }
 }

@@ -113,7 +113,6 @@ private:
             not_shown_.push_back({"light through transparent objects", "shadows are opaque; --shadows filtered lets it through, straight on"});
         if (job.compiled.header.background_texture != 0)
             not_shown_.push_back({"light from the background on diffuse surfaces", "it is seen directly, in mirrors and in glass"});
-        if (job.compiled.emitters_in_groups > 0) not_shown_.push_back({"light of emissive surfaces in groups", "they are seen, but are no lights"});
         if (job.compiled.dark_emitters > 0) not_shown_.push_back({"light of emissive surfaces", "they are seen, but integrator.light_samples is 0"});
     }
 

@@ -14,9 +14,14 @@ public:
         : header_(device, std::span(&scene.header, 1)),
           arena_(device, scene.arena),
           texels_(device, std::span<const std::uint16_t>(scene.texels)),
+          lights_(scene.header.lights),
           lists_(specialize(scene)) {}
 
     template <class Bind> void for_each_argument(Bind bind) const { bind(header_), bind(arena_); }
+    /// Replaces a light by one of the same kind, from the next launch on.
+    void write_light(uint row, const Light &light) {
+        arena_.write_bytes(std::size_t{64} * lights_.offset + sizeof light * row, std::as_bytes(std::span(&light, 1)));
+    }
     /// The generated files of this scene.
     const Sources &lists() const { return lists_; }
     const Buffer<std::uint16_t> &texels() const { return texels_; }
@@ -28,6 +33,7 @@ private:
     Buffer<SceneHeader> header_;
     Buffer<std::byte> arena_;
     Buffer<std::uint16_t> texels_;  ///< empty in scenes without pictures
+    Span lights_;
     Sources lists_;
 };
 

@@ -28,6 +28,13 @@ void add_primitives(const CompiledScene &scene, Sources &sources) {
     sources["generated/primitive_hits.cl"] = hits;
 }
 
+/// The bits of those in use that are flat.
+uint flat_kinds(const CompiledScene &scene) {
+    uint bits = 0;
+    for (std::size_t kind = 0; kind < scene.primitives.size(); ++kind) bits |= uint{scene.primitives[kind]->is_flat} << kind;
+    return bits;
+}
+
 /// A family whose kinds are numbered by their place in `kinds`.
 template <class Kinds>
 std::string family(const std::vector<uint> &in_use, const Kinds &kinds, const std::string &folder, const std::string &list_name) {
@@ -51,6 +58,8 @@ Sources specialize(const CompiledScene &scene) {
     sources["generated/accelerator.cl"] = include("accelerators/" + scene.accelerator + ".cl");
     sources["generated/levels.cl"] = include(scene.instance_count > 0 ? "accelerators/two_levels.cl" : "accelerators/one_level.cl");
     sources["generated/instances.cl"] = include(scene.instance_count > 0 ? "primitives/instance.cl" : "primitives/no_instance.cl");
+    sources["generated/emissive_instances.cl"] =
+        include(scene.emissive_instances ? "lights/emissive_instances.cl" : "lights/no_emissive_instances.cl");
     sources["generated/sampler.cl"] = include("samplers/stratified.cl");
     sources["generated/filter.cl"] = include(fmt::format("filters/{}.cl", filter_kinds()[scene.filter].file));
     sources["generated/interior.cl"] = include(scene.transmits ? "core/interior.cl" : "core/no_interior.cl");
@@ -58,9 +67,9 @@ Sources specialize(const CompiledScene &scene) {
     sources["generated/shadow_filter.cl"] = include(scene.filters_shadows ? "core/shadow_filter.cl" : "core/no_shadow_filter.cl");
     sources["generated/constants.h"] = fmt::format(
         "#pragma once\n#define BRANCHING {}u\n#define INTERIOR_SIZE {}u\n#define HIGHLIGHTS {}\n#define SHADING_NORMALS {}\n"
-        "#define INSTANCES {}\n#define INSTANCE_KIND {}u\n",
+        "#define INSTANCES {}\n#define INSTANCE_KIND {}u\n#define FLAT_KINDS {:#x}u\n",
         branching(scene), scene.interior_size, scene.highlights ? 1 : 0, scene.shading_normals ? 1 : 0, scene.instance_count > 0 ? 1 : 0,
-        scene.primitives.size());
+        scene.primitives.size(), flat_kinds(scene));
     return sources;
 }
 

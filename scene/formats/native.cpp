@@ -158,6 +158,7 @@ Scene read_native(const std::string &file, const ReadOptions &options) {
     Scene scene;
     if (options.keep_places) scene.places.emplace();
     scene.file = file;
+    scene.integrator.shadows_unsaid = true;
     read_settings(root, scene);
     scene.ambient = root.spectrum("ambient", scene.ambient);
     read_materials(root, scene);

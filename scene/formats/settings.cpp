@@ -90,6 +90,7 @@ void read_integrator(const Parameters &parameters, IntegratorSettings &integrato
     integrator.max_depth = parameters.integer("max_depth", integrator.max_depth, 1, max_depth);
     integrator.threshold = parameters.not_negative("threshold", integrator.threshold);
     integrator.light_samples = parameters.integer("light_samples", integrator.light_samples, 0, MAX_LIGHT_SAMPLES);
+    if (parameters.has("shadows")) integrator.shadows_unsaid = false;
     integrator.filtered_shadows = parameters.choice("shadows", {"opaque", "filtered"}, integrator.filtered_shadows ? 1 : 0) == 1;
     parameters.expect_all_known();
 }

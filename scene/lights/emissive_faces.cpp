@@ -27,10 +27,10 @@ EmissiveFace face_at(vec3 corner, vec3 a, vec3 b, bool is_triangle) {
             .folded = is_triangle ? 1.0f : 0.0f,
             .error = 0x1p-20f * largest(glm::abs(corner) + glm::abs(u) + glm::abs(v)),
             .kept = 1,
-            .alias = 0};
+            .alias = 0,
+            .first = 0,
+            .last = 0xffffffffu};
 }
-
-double area_of(const EmissiveFace &face) { return glm::length(glm::cross(glm::dvec3(face.u), glm::dvec3(face.v))) * (face.folded > 0 ? 0.5 : 1); }
 
 /// Whether the far corner is where the sides a and b from the corner lead together, to a few roundings.
 bool is_parallelogram(vec3 corner, vec3 a, vec3 b, vec3 far) {
@@ -90,32 +90,12 @@ private:
     std::vector<bool> taken_;
 };
 
-/// Entry i of n stands for itself with probability `kept` and for its alias otherwise, so that all together choose each face by its area: entries
-/// with more than 1/n of the area give what those with less lack (Vose, IEEE Trans. Software Eng. 17(9) 1991).
-void write_aliases(std::vector<EmissiveFace> &faces, double area) {
-    std::vector<double> share(faces.size());
-    std::vector<uint> poor, rich;
-    for (uint i = 0; i < faces.size(); ++i) {
-        share[i] = area_of(faces[i]) / area * double(faces.size());
-        (share[i] < 1 ? poor : rich).push_back(i);
-        faces[i].kept = 1, faces[i].alias = i;
-    }
-    while (!poor.empty() && !rich.empty()) {
-        const uint low = poor.back(), high = rich.back();
-        poor.pop_back();
-        faces[low].kept = float(share[low]), faces[low].alias = high;
-        share[high] -= 1 - share[low];
-        if (share[high] < 1) rich.pop_back(), poor.push_back(high);
-    }
-}
-
 }  // namespace
 
-EmissiveFaces make_emissive_faces(const std::vector<vec3> &positions, std::span<const uint> indices) {
-    EmissiveFaces result{Pairing(positions, indices).faces(), 0};
-    for (const EmissiveFace &face : result.faces) result.area += area_of(face);
-    write_aliases(result.faces, result.area);
-    return result;
+double area_of(const EmissiveFace &face) { return glm::length(glm::cross(glm::dvec3(face.u), glm::dvec3(face.v))) * (face.folded > 0 ? 0.5 : 1); }
+
+std::vector<EmissiveFace> make_emissive_faces(const std::vector<vec3> &positions, std::span<const uint> indices) {
+    return Pairing(positions, indices).faces();
 }
 
 }  // namespace brandung

@@ -1,4 +1,4 @@
-/// Faces of an emissive mesh, as kernels choose among them.
+/// Faces of an emissive mesh, from which kernels choose points.
 #pragma once
 #include <span>
 #include <vector>
@@ -7,13 +7,10 @@
 
 namespace brandung {
 
-struct EmissiveFaces {
-    std::vector<EmissiveFace> faces;
-    double area = 0;  ///< of all
-};
-
 /// Of triangles (three indices each, with area) over positions. Two that share an edge and make a parallelogram are one face, so that a quadrilateral
-/// light is divided into strata as a whole; a triangle is paired with the earliest one that fits.
-EmissiveFaces make_emissive_faces(const std::vector<vec3> &positions, std::span<const uint> indices);
+/// light is divided into strata as a whole; a triangle is paired with the earliest one that fits. All of each face counts.
+std::vector<EmissiveFace> make_emissive_faces(const std::vector<vec3> &positions, std::span<const uint> indices);
+
+double area_of(const EmissiveFace &face);
 
 }  // namespace brandung

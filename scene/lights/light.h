@@ -28,12 +28,15 @@ Light make_light(const PointLight &light);
 Light make_light(const DirectionalLight &light);
 /// As a point light; `direction` has unit length, and shape_cone has set the cone.
 Light make_light(const SpotLight &light);
-/// Emissive shapes as a whole: their power or radiance is not yet divided among strata.
+/// Emissive shapes of radiance 1, in their own space.
 Light make_light(const EmissiveMesh &light);
 Light make_light(const EmissiveSphere &light);
 Light make_light(const EmissiveFrustum &light);
-/// Appends the rows * rows strata of an emissive shape's light; their random numbers differ from those of all lights before.
-void append_strata(const Light &light, uint rows, std::vector<Light> &lights);
+/// rows * rows of them, each with its cell of the square from which points of the light are made, and its share of the light.
+std::vector<Light> make_cells(const Light &light, uint rows);
+/// Appends the cells of an emissive shape, given this radiance, in an instance or, for 0, in none; their random numbers differ from those of all
+/// lights before.
+void append_cells(const std::vector<Light> &cells, Spectrum radiance, uint instance, std::vector<Light> &lights);
 /// The cone has the full angle `angle` in (0, 2 pi] [radians]; over the outer part `penumbra` in [0, 1] of half of that the intensity falls to 0.
 void shape_cone(SpotLight &light, double angle, double penumbra);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "scene/compile.h"
 #include "scene/lights/light.h"
 
 namespace brandung {
@@ -26,22 +25,19 @@ LightRows make_light_rows(const Scene &scene) {
     lights.shapes.resize(scene.lights.size());
     for (const Light &light : scene.lights) ++lights.counts[light_kinds()[light.kind].name];
     if (!shows_light(scene)) return lights;
-    for (const PlacedGroup &placed : scene.instances)
-        for (const auto &shape : scene.groups[placed.group].shapes) {
-            const uint material = placed.material == NO_MATERIAL ? shape->material : placed.material;
-            lights.in_groups += scene.materials[material].record.emission != Spectrum(0);
-        }
-    for (const auto &shape : scene.shapes) {
-        const Spectrum radiance = scene.materials[shape->material].record.emission;
-        if (radiance == Spectrum(0)) continue;
-        if (scene.integrator.light_samples == 0) {
-            ++lights.dark;
-            continue;
-        }
-        const Light light = shape->light(radiance, lights.faces);
-        ++lights.counts[light_kinds()[light.kind].name];
-        append_strata(light, scene.integrator.light_samples, lights.rows);
-        lights.shapes.resize(lights.rows.size(), shape.get());
+    const std::vector<PlacedShape> emissive = shapes_made_of(scene, is_emissive);
+    const uint samples = scene.integrator.light_samples;
+    if (samples == 0) {
+        lights.dark = uint(emissive.size());
+        return lights;
+    }
+    std::map<const Shape *, std::vector<Light>> made;  // instances share faces
+    for (const PlacedShape &placed : emissive) {
+        const auto [cells, is_new] = made.try_emplace(placed.shape);
+        if (is_new) cells->second = placed.shape->light(samples, lights.faces);
+        ++lights.counts[light_kinds()[cells->second.front().kind].name];
+        append_cells(cells->second, scene.materials[placed.material].record.emission, placed.instance, lights.rows);
+        lights.shapes.resize(lights.rows.size(), placed);
     }
     return lights;
 }

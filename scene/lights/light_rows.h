@@ -4,18 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/placed_shapes.h"
 
 namespace brandung {
 
 /// Every surface point sends one shadow ray to each row: to a light, or to one stratum of an emissive shape.
 struct LightRows {
     std::vector<Light> rows;
-    std::vector<const Shape *> shapes;   ///< by row: the shape that a stratum is of; null for the scene's lights, which come first
-    std::vector<EmissiveFace> faces;     ///< of emissive meshes
-    uint in_groups = 0;                  ///< emissive shapes of instances: they are seen, but light nothing
+    std::vector<PlacedShape> shapes;     ///< by row: what a stratum is of; no shape for the scene's lights, which come first
+    std::vector<EmissiveFace> faces;     ///< of emissive meshes, in their own spaces
     uint dark = 0;                       ///< emissive shapes of which the integrator takes no samples
-    std::map<std::string, uint> counts;  ///< of lights and emissive shapes, by kind
+    std::map<std::string, uint> counts;  ///< of lights and emissive shapes, by kind; shapes of a group count in each of its instances
 };
 
 /// Emissive shapes are lights if the integrator takes samples of them and there is a surface on which light can be seen.

@@ -205,6 +205,7 @@ void add_default_view(const std::vector<MeshPart> &parts, const ViewChanges &cha
     if (parts.empty() || view_fault(camera)) return;
     double irradiance = own_irradiance(scene, parts);
     if (irradiance < weakest_light * std::numbers::pi) {
+        scene.headlight = uint(scene.lights.size());
         scene.lights.push_back(headlight(parts, camera));
         irradiance = std::numbers::pi;
     }

@@ -37,6 +37,7 @@ Scene read_as_scene(const std::string &file, const ReadOptions &options, ReadPar
     scene.file = file;
     if (options.keep_places) scene.places.emplace();
     set_default_quality(scene);
+    scene.integrator.shadows_unsaid = true;
     assign_settings(options.assignments, scene);
     std::vector<MeshPart> parts = read(file, "", scene, options.progress);
     add_default_view(parts, options.view, scene);

@@ -14,7 +14,7 @@
 
 namespace brandung {
 
-const PrimitiveKind frustum_kind = {"frustum", "Frustum", sizeof(FrustumBlock)};
+const PrimitiveKind frustum_kind = {"frustum", "Frustum", sizeof(FrustumBlock), false};
 
 namespace {
 
@@ -87,11 +87,12 @@ public:
         std::memcpy(words, &shading, sizeof shading);
     }
 
-    Light light(Spectrum radiance, std::vector<EmissiveFace> &) const override {
+    std::vector<Light> light(uint cells, std::vector<EmissiveFace> &) const override {
         const double half_length = record_.half_length, radius = record_.radius, rise = record_.slope * half_length;
         const double area = 4 * std::numbers::pi * radius * std::hypot(half_length, rise);
-        return make_light(
-            EmissiveFrustum{{radiance * float(area), {}}, record_.center, record_.axis * record_.half_length, record_.radius, float(rise)});
+        return make_cells(make_light(EmissiveFrustum{
+                              {Spectrum(float(area)), {}, 0}, record_.center, record_.axis * record_.half_length, record_.radius, float(rise)}),
+                          cells);
     }
 
 private:

@@ -21,6 +21,7 @@ struct PrimitiveKind {
     const char *name;         ///< "smooth_triangle": prefix of its device functions
     const char *record;       ///< "SmoothTriangle": prefix of its records
     std::size_t block_bytes;  ///< of one block of BLOCK_SIZE primitives
+    bool is_flat;             ///< rays cross it once at most, and not again after leaving it
 };
 
 /// Tables of the arena that shapes append to while the scene is laid out.
@@ -58,8 +59,9 @@ public:
     /// Writes primitive i's view of ShadingRecord.words (at most 56 bytes).
     virtual void write_shading(std::size_t i, uint *words, SharedTables &tables) const = 0;
 
-    /// The shape as a light of this radiance, which both of its sides have; its faces, if it has some to choose from, are appended.
-    virtual Light light(Spectrum radiance, std::vector<EmissiveFace> &faces) const = 0;
+    /// The shape as a light of radiance 1, which both of its sides have, in cells * cells parts that count the same; its faces, if it has some to
+    /// choose from, are appended.
+    virtual std::vector<Light> light(uint cells, std::vector<EmissiveFace> &faces) const = 0;
 
     uint material;            ///< index into Scene::materials
     uint object = NO_OBJECT;  ///< its number among the objects of the scene file, or of the file's group

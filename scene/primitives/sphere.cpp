@@ -11,7 +11,7 @@
 
 namespace brandung {
 
-const PrimitiveKind sphere_kind = {"sphere", "Sphere", sizeof(SphereBlock)};
+const PrimitiveKind sphere_kind = {"sphere", "Sphere", sizeof(SphereBlock), false};
 
 namespace {
 
@@ -38,8 +38,8 @@ public:
         std::memcpy(words, &shading, sizeof shading);
     }
 
-    Light light(Spectrum radiance, std::vector<EmissiveFace> &) const override {
-        return make_light(EmissiveSphere{{radiance, {}}, center_, std::abs(radius_)});
+    std::vector<Light> light(uint cells, std::vector<EmissiveFace> &) const override {
+        return make_cells(make_light(EmissiveSphere{{Spectrum(1), {}, 0}, center_, std::abs(radius_)}), cells);
     }
 
 private:

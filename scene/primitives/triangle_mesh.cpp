@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "kernels/primitives/smooth_triangle.h"
+#include "scene/lights/emissive_cells.h"
 #include "scene/lights/emissive_faces.h"
 #include "scene/lights/light.h"
 #include "scene/parameters.h"
@@ -17,8 +18,8 @@
 
 namespace brandung {
 
-const PrimitiveKind triangle_kind = {"triangle", "Triangle", sizeof(TriangleBlock)};
-const PrimitiveKind smooth_triangle_kind = {"smooth_triangle", "SmoothTriangle", sizeof(SmoothTriangleBlock)};
+const PrimitiveKind triangle_kind = {"triangle", "Triangle", sizeof(TriangleBlock), true};
+const PrimitiveKind smooth_triangle_kind = {"smooth_triangle", "SmoothTriangle", sizeof(SmoothTriangleBlock), true};
 
 bool has_area(vec3 a, vec3 b, vec3 c) {
     const glm::dvec3 n = glm::abs(glm::cross(glm::dvec3(b - a), glm::dvec3(c - a)));
@@ -67,11 +68,14 @@ public:
         std::memcpy(words, &shading, mesh_.normals.empty() ? sizeof(TriangleShading) : sizeof(SmoothTriangleShading));
     }
 
-    Light light(Spectrum radiance, std::vector<EmissiveFace> &faces) const override {
-        const EmissiveFaces own = make_emissive_faces(mesh_.positions, mesh_.indices);
-        const uint first = uint(faces.size());
+    std::vector<Light> light(uint cells, std::vector<EmissiveFace> &faces) const override {
+        const EmissiveCells own = make_emissive_cells(make_emissive_faces(mesh_.positions, mesh_.indices), cells * cells);
+        const Spectrum power(float(own.area / (cells * cells)));
+        std::vector<Light> lights;
+        for (uint cell = 0; cell < cells * cells; ++cell)
+            lights.push_back(make_light(EmissiveMesh{{power, {}, 0}, uint(faces.size()) + own.first[cell], own.first[cell + 1] - own.first[cell]}));
         faces.insert(faces.end(), own.faces.begin(), own.faces.end());
-        return make_light(EmissiveMesh{{radiance * float(own.area), {}}, first, uint(own.faces.size())});
+        return lights;
     }
 
 private:

@@ -3,45 +3,12 @@
 
 #include <cmath>
 
-#include "scene/bsdfs/bsdf.h"
-#include "tests/images/oracle.h"
-#include "tests/support/rendering.h"
-#include "tests/support/scenes.h"
+#include "tests/images/irradiance.h"
 
 namespace {
 
 using namespace brandung;
-using oracle::pi;
-using oracle::Real;
-using oracle::Vec;
-
-Material lamp(float radiance) {
-    Material material = make_material(Whitted{.exponent = 1});
-    material.emission = Spectrum(radiance);
-    return material;
-}
-
-/// Looks from `from` at a point of what material 0, of reflectance 1, is added as: so narrow that every pixel is another estimate of that point's
-/// irradiance over pi. The lamp, material 1, has radiance 1.
-Scene scene_seen_at(vec3 from, vec3 at) {
-    Scene scene;
-    scene.file = "emissive";
-    CameraDescription camera;
-    camera.from = from, camera.at = at, camera.up = {0.3f, 0.2f, 1}, camera.fov = 1e-4f;
-    scene.cameras.push_back(camera);
-    scene.film.width = 32, scene.film.height = 24, scene.film.spp = 16;
-    scene.integrator.max_depth = 1;
-    add_material(scene, matte(1)), add_material(scene, lamp(1));
-    return scene;
-}
-
-void add_quad(Scene &scene, uint material, vec3 corner, vec3 u, vec3 v) {
-    MeshData mesh;
-    append_polygon(scene, mesh, {corner, corner + u, corner + u + v, corner + v}, {});
-    add_triangle_mesh(scene, material, std::move(mesh));
-}
-
-void add_floor(Scene &scene) { add_quad(scene, 0, {-50, 0, 50}, {100, 0, 0}, {0, 0, -100}); }
+using namespace irradiance;
 
 /// The same quadrilateral as 2 n² triangles, which make n² parallelograms.
 void add_grid(Scene &scene, uint material, vec3 corner, vec3 u, vec3 v, uint n) {
@@ -54,51 +21,6 @@ void add_grid(Scene &scene, uint material, vec3 corner, vec3 u, vec3 v, uint n) 
             for (const uint index : {a, a + 1, b + 1, a, b + 1, b}) mesh.indices.push_back(index);
         }
     add_triangle_mesh(scene, material, std::move(mesh));
-}
-
-/// Of the samples, in units of the film's.
-struct Estimate {
-    Real mean, variance;  ///< of one sample
-    std::uint64_t samples, shadow_rays, shadow_hits;
-    Real error() const { return std::sqrt(variance / Real(samples)); }
-};
-
-Estimate estimate(const Scene &scene) {
-    const Rendering rendering = render_scene(scene);
-    EXPECT_EQ(rendering.refused, 0u);
-    EXPECT_EQ(rendering.clamped, 0u);
-    Real sum = 0, squares = 0, samples = 0;
-    for (const FilmPixel &pixel : rendering.film) {
-        sum += static_cast<Real>(sum_of(pixel, 0)) * 0x1p-32L;
-        squares += static_cast<Real>(value_of(pixel.squares[0])) * 0x1p-64L;
-        samples += pixel.counts[0] + pixel.counts[1];
-    }
-    const Real mean = sum / samples;
-    return {mean, std::max(squares / samples - mean * mean, 0.0L), std::uint64_t(samples), rendering.counts.rays[RAY_SHADOW],
-            rendering.counts.hits[RAY_SHADOW]};
-}
-
-/// A normal variable is beyond 4.5 in 7e-6 of all cases; the tests here ask some thirty times.
-constexpr Real significant = 4.5L;
-
-/// The mean of the samples, to their statistics and the rounding of a picture.
-void expect_mean(const Estimate &estimate, Real expected) {
-    EXPECT_NEAR(estimate.mean, expected, significant * estimate.error() + 1e-5L * expected);
-    EXPECT_LT(estimate.error(), 0.01L * expected) << "the test can tell";
-}
-
-/// Form factor from a surface element to a parallel rectangle, one of whose corners is straight above it: sides over height a and b (Howell, C-11).
-Real corner_factor(Real a, Real b) {
-    const Real p = std::sqrt(1 + a * a), q = std::sqrt(1 + b * b);
-    return (a / p * std::atan(b / p) + b / q * std::atan(a / q)) / (2 * pi);
-}
-
-/// To the square [-1, 1]² at height 2, from (x, z): factors of corners are odd in both sides.
-Real square_factor(Real x, Real z) {
-    Real sum = 0;
-    for (const Real u : {-1, 1})
-        for (const Real v : {-1, 1}) sum += corner_factor((1 + u * x) / 2, (1 + v * z) / 2);
-    return sum;
 }
 
 class Square : public testing::TestWithParam<vec2> {
@@ -133,6 +55,12 @@ TEST_P(Square, IsTheSameInManyTriangles) {
     const Estimate grid = estimate(scene);
     expect_mean(grid, expected);
     EXPECT_EQ(grid.shadow_hits, 0u);
+
+    // Cells are of several faces each, and nearly as compact as those of one; points of faces chosen at random would leave a 16th.
+    scene.integrator.light_samples = 4;
+    const Estimate cells = estimate(scene);
+    expect_mean(cells, expected);
+    EXPECT_LT(cells.variance, grid.variance / 30);
 }
 
 TEST_P(Square, ShinesOnBothSides) {
@@ -164,7 +92,7 @@ TEST_P(Ball, GivesTheSquaredRatioTimesTheCosine) {
     const Estimate once = estimate(scene);
     expect_mean(once, expected);
     EXPECT_EQ(once.shadow_hits, 0u) << "only what is seen of the lamp is asked";
-    EXPECT_EQ(once.shadow_rays, once.samples);
+    EXPECT_GE(once.shadow_rays, once.samples - once.samples / 1000) << "all but those that graze it";
     scene.integrator.light_samples = 4;
     expect_mean(estimate(scene), expected);
 }
@@ -213,6 +141,26 @@ TEST(EmissiveLights, FurnaceOfOneBounceHasNoNoise) {
     // one of a pixel's 16 samples.
     for (const vec3 &pixel : rendering.picture) ASSERT_NEAR(pixel.x, 2.5f, 5e-3f);
     EXPECT_EQ(rendering.counts.hits[RAY_SHADOW], 0u);
+}
+
+/// What is convex does not light itself from outside, wherever it is: it shows what it shines, times what it reflects of nothing.
+TEST(EmissiveLights, DoNotLightThemselves) {
+    for (const float far : {0.0f, 1.0f, 100.0f, 3000.0f})
+        for (const char *kind : {"sphere", "frustum", "quad"}) {
+            const vec3 center(far);
+            Scene scene = scene_seen_at(center + vec3(1, 0, 4), center);
+            scene.cameras[0].fov = 0.5f;
+            Material material = matte(0.8f);
+            material.emission = Spectrum(1);
+            const uint lamp = add_material(scene, material);
+            if (kind == std::string("sphere")) add_sphere(scene, lamp, center, 1);
+            if (kind == std::string("frustum")) add_frustum(scene, lamp, center - vec3(0, 1, 0), 1, center + vec3(0, 1, 0), 0.5f);
+            if (kind == std::string("quad")) add_quad(scene, lamp, center - vec3(1, 1, 0), {2, 0, 0}, {0, 2, 0});
+            const Rendering rendering = render_scene(scene);
+            EXPECT_EQ(rendering.clamped, 0u);
+            for (const vec3 &pixel : rendering.picture) ASSERT_LE(pixel.x, 1) << kind << " at " << far;
+            EXPECT_EQ(rendering.picture[rendering.picture.size() / 2 + 16].x, 1) << kind << " at " << far;
+        }
 }
 
 /// Lamps are seen, but light nothing, where no light samples are asked for.

@@ -62,6 +62,8 @@ const SmallNumber small_numbers[] = {
     {"kernels/core/refraction.cl", "0x1p-126f", "the least normal number instead of 0: the comment beside it"},
     {"kernels/core/spawn.cl", "0x1p-21f", "rounding of a shadow ray's two ends: ray_to_light's comment"},
     {"kernels/lights/emission.cl", "0x1p-20f", "rounding of a shadow ray's two ends: emission_sample's comment"},
+    {"kernels/lights/emissive_instances.cl", "0x1p-21f", "the way of a ray into the group's space: the comment above it"},
+    {"kernels/lights/emissive_instances.cl", "0x1p-22f", "the way of a point to the world: the comment above it"},
     {"kernels/lights/emissive_frustum.cl", "0x1p-126f", "the least normal number instead of 0, for a tip of radius 0"},
     {"kernels/lights/emissive_frustum.cl", "0x1p-20f", "error of the point put together from centre, axis and radius: twice that of frustum_surface"},
     {"kernels/lights/emissive_sphere.cl", "0x1p-48f", "the square of half a unit of 1, instead of a horizon whose density is 0"},

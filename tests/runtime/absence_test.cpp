@@ -247,7 +247,9 @@ TEST(Lint, ItsListsNameEveryKindAndFileThatSpecialisationCanMake) {
     auto world = std::exchange(scene.shapes, {});
     add_soup(scene, 0, {.of_each = 1});
     add_group(scene, "group", std::exchange(scene.shapes, std::move(world)));
-    ASSERT_FALSE(add_instance(scene, 0, AffineMap()));
+    Material shining = matte(0.5f);
+    shining.emission = Spectrum(1);
+    ASSERT_FALSE(add_instance(scene, 0, AffineMap(), add_material(scene, shining)));
     const Sources lists = specialize(compile(scene));
     for (const auto &[path, text] : lists) {
         std::ifstream in(stubs / path);

@@ -48,7 +48,7 @@ TEST(Compile, KeepsTheScenesWarnings) {
 }
 
 /// Of two shapes in a group one shines by itself, and both where an instance's material replaces theirs by one that does.
-TEST(Compile, CountsEmissiveShapesOfInstances) {
+TEST(Compile, EmissiveShapesOfInstancesAreLights) {
     Scene scene;
     scene.file = "scene";
     const uint dull = add_material(scene, matte(0.5f));
@@ -58,11 +58,14 @@ TEST(Compile, CountsEmissiveShapesOfInstances) {
     add_sphere(scene, dull, {0, 0, 0}, 1), add_sphere(scene, lamp, {3, 0, 0}, 1);
     add_group(scene, "pair", std::exchange(scene.shapes, {}));
     ASSERT_FALSE(add_instance(scene, 0, AffineMap()));
-    EXPECT_EQ(compile(scene).emitters_in_groups, 1u);
+    EXPECT_EQ(compile(scene).header.lights.count, 1u);
     ASSERT_FALSE(add_instance(scene, 0, AffineMap(), lamp));
-    EXPECT_EQ(compile(scene).emitters_in_groups, 3u);
+    EXPECT_EQ(compile(scene).header.lights.count, 3u);
     ASSERT_FALSE(add_instance(scene, 0, AffineMap(), dull));
-    EXPECT_EQ(compile(scene).emitters_in_groups, 3u);
+    const CompiledScene compiled = compile(scene);
+    EXPECT_EQ(compiled.header.lights.count, 3u);
+    EXPECT_EQ(compiled.light_counts.at("emissive_sphere"), 3u);
+    EXPECT_TRUE(compiled.emissive_instances);
 }
 
 }  // namespace

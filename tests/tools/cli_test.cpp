@@ -341,6 +341,35 @@ TEST(Cli, ATurntableIsASequenceOfTurnedCameras) {
     EXPECT_LT(difference, 0.01);
 }
 
+/// A cube looks the same from all four sides if its light goes round with the camera.
+TEST(Cli, ATurntablesHeadlightGoesWithTheCamera) {
+    const TemporaryFolder folder;
+    const std::string cube = folder.write("cube.obj", R"(v -1 -1 -1
+v 1 -1 -1
+v 1 1 -1
+v -1 1 -1
+v -1 -1 1
+v 1 -1 1
+v 1 1 1
+v -1 1 1
+f 4 3 2 1
+f 5 6 7 8
+f 1 2 6 5
+f 3 4 8 7
+f 2 3 7 6
+f 1 5 8 4
+)");
+    expect_success(run_program({"render", cube, "--quiet", "--size", "40x30", "--turntable", "4", "-o", folder.path("t.exr")}));
+    const auto mean = [&](const char *name) {
+        double sum = 0;
+        for (const vec3 &pixel : read_picture(folder.path(name)).pixels) sum += pixel.x;
+        return sum / (40 * 30);
+    };
+    const double front = mean("t_000.exr");
+    EXPECT_GT(front, 0.1);
+    for (const char *side : {"t_001.exr", "t_002.exr", "t_003.exr"}) EXPECT_NEAR(mean(side), front, 0.005 * front);
+}
+
 TEST(Cli, CheckReportsWithoutADevice) {
     const TemporaryFolder folder;
     const Finished run = run_program({"check", folder.write("scene.json", native_scene())});

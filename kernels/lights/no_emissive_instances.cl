@@ -1,0 +1,7 @@
+// Stands for lights/emissive_instances.cl in scenes where no emissive shape is in an instance.
+#pragma once
+#include "kernels/core/scene.cl"
+#include "kernels/lights/emission.h"
+
+FUNCTION vec3 lit_point_in_group(Scene scene, uint instance, vec3 p) { return p; }
+FUNCTION EmissivePoint emissive_point_in_world(Scene scene, uint instance, vec3 p, EmissivePoint point) { return point; }

@@ -1,0 +1,23 @@
+/// Shapes where they are seen: in the world, and in every instance of their group.
+#pragma once
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace brandung {
+
+struct PlacedShape {
+    const Shape *shape = nullptr;
+    uint instance = 0;            ///< its number on the device, one more than in Scene::instances; 0: in none
+    uint material = NO_MATERIAL;  ///< that of the instance, if it has one, else the shape's own
+};
+
+inline bool is_emissive(const Material &material) { return material.emission != Spectrum(0); }
+
+/// Those whose material is such, in scene order, the world's first.
+std::vector<PlacedShape> shapes_made_of(const Scene &scene, bool (*is_such)(const Material &));
+
+/// A box around it in the world.
+Bounds bounds_of(const Scene &scene, const PlacedShape &placed);
+
+}  // namespace brandung
