@@ -62,6 +62,7 @@ const SmallNumber small_numbers[] = {
     {"kernels/core/refraction.cl", "0x1p-126f", "the least normal number instead of 0: the comment beside it"},
     {"kernels/core/spawn.cl", "0x1p-21f", "rounding of a shadow ray's two ends: ray_to_light's comment"},
     {"kernels/lights/emission.cl", "0x1p-20f", "rounding of a shadow ray's two ends: emission_sample's comment"},
+    {"kernels/lights/emissive_mesh.cl", "0x1p-16f", "unit: steps of Morton's curve"},
     {"kernels/lights/emissive_instances.cl", "0x1p-21f", "the way of a ray into the group's space: the comment above it"},
     {"kernels/lights/emissive_instances.cl", "0x1p-22f", "the way of a point to the world: the comment above it"},
     {"kernels/lights/emissive_frustum.cl", "0x1p-126f", "the least normal number instead of 0, for a tip of radius 0"},
@@ -78,6 +79,7 @@ const SmallNumber small_numbers[] = {
     {"kernels/primitives/triangle.cl", "0x1p-38f", "what the correction leaves: the comment above it"},
     {"kernels/primitives/triangle_crossing.cl", "0x1p-19f", "rounding of the distance from the plane: the comment above it"},
     {"kernels/stages/develop.cl", "0x1p-32f", "the film's unit"},
+    {"kernels/stages/weigh_values.cl", "0x1p-30f", "the unit of filters' weights"},
 };
 
 /// Numbers between 0 and 2^-10 in a line, wherever they are: compared, in a product that is compared, or in a variable that will be.
