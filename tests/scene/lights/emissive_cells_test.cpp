@@ -52,14 +52,16 @@ void expect_all_of_it(const std::vector<EmissiveFace> &faces, uint count) {
     double whole = 0;
     for (const EmissiveFace &face : faces) whole += area_of(face);
     EXPECT_NEAR(cells.area, whole, 1e-12 * whole);
-    std::map<std::array<float, 3>, double> parts;  // by corner
+    std::map<std::array<float, 3>, double> parts;  // by the corner across
     for (uint cell = 0; cell < count; ++cell) {
         const auto own = faces_of(cells, cell);
         const std::vector<double> chance = chances(own);
         double area = 0, sum = 0;
         for (const EmissiveFace &face : own)
-            area += area_of(face) * part_of(face), parts[{face.corner.x, face.corner.y, face.corner.z}] += part_of(face);
-        EXPECT_NEAR(area, whole / count, 1e-8 * whole / count) << cell;
+            area += area_of(face) * part_of(face),
+                parts[{face.corner.x + face.u.x + face.v.x, face.corner.y + face.u.y + face.v.y, face.u.z + face.v.z}] += part_of(face);
+        // Both ends are rounded to 2^-32 of a face.
+        EXPECT_NEAR(area, whole / count, 0x1p-31 * whole) << cell;
         for (std::size_t i = 0; i < own.size(); ++i) {
             // The probabilities are floats: a face may be the alias of some hundred, each off by 2^-25 of an entry's.
             ASSERT_NEAR(chance[i], area_of(own[i]) * part_of(own[i]) / area, 2e-5 / double(own.size())) << cell << ", " << i;
