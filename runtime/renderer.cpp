@@ -10,11 +10,11 @@
 namespace brandung {
 namespace {
 
-/// Samples of one pixel that one batch takes, the first `done` being done: one at first, so that there is a whole picture soon, then few, so that an
-/// interrupted one is whole, if noisier; but more where the whole picture is in every batch anyway.
+/// Samples of one pixel that one batch takes, the first `done` being done: few, so that an interrupted picture is whole, if noisier, and of many just
+/// one at first, so that there is a whole picture soon; but more where the whole picture is in every batch anyway.
 uint samples_at_once(const FilmSettings &film, uint batch, uint done) {
-    const std::uint64_t few = done == 0 ? 1 : 16, pixels = film.window().pixels();
-    return static_cast<uint>(std::min<std::uint64_t>({film.spp - done, batch, std::max(few, batch / pixels)}));
+    const std::uint64_t few = 16, pass = done == 0 && film.spp > few ? 1 : few, pixels = film.window().pixels();
+    return static_cast<uint>(std::min<std::uint64_t>({film.spp - done, batch, std::max(pass, batch / pixels)}));
 }
 
 /// The divisor nearest below the root: a grid of so many samples has that many rows.

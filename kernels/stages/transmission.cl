@@ -31,29 +31,8 @@ FUNCTION Pane pane_at(Scene scene, Ray ray, PlacedHit hit) {
 /// Neighbours in a mesh that share the edge which the ray meets are one.
 FUNCTION bool are_one(Pane a, Pane b) { return a.material == b.material && a.enters == b.enters && coincide(a.surface, b.surface); }
 
-/// What a list of hits says for sure: of what a ray can cross twice it has but the first crossing, so that it is good up to the first such thing, and
-/// what coincides with that.
-typedef struct {
-    uint count;  ///< hits that are sure to be all up to the last of them
-    uint last;   ///< the one from which on the others are to be looked for
-    bool all;    ///< whether there are no others
-} Certain;
-
-FUNCTION Certain certain_hits(Scene scene, Ray ray, const HitList *list) {
-    const Certain flat = {list->count, list->count - 1u, list->count < HIT_LIST_SIZE};
-    for (uint k = 0u; k < list->count; ++k) {
-        if (is_flat(scene, list->hits[k])) continue;
-        const Surface curved = surface_of(scene, ray, list->hits[k]);
-        Certain certain = {k + 1u, k, false};
-        while (certain.count < list->count && coincide(curved, surface_of(scene, ray, list->hits[certain.count]))) ++certain.count;
-        return certain;
-    }
-    return flat;
-}
-
-/// The ray, straight on behind a hit.
-FUNCTION Ray ray_behind(Scene scene, Ray ray, PlacedHit hit) {
-    const Pane pane = pane_at(scene, ray, hit);
+/// The ray, straight on behind a face that it has met.
+FUNCTION Ray ray_behind(Ray ray, PlacedHit hit, Pane pane) {
     const vec3 onward = scaled(pane.surface.geometric, pane.enters ? -1.0f : 1.0f);
     ray.origin = spawn_origin(pane.surface.p, scaled(onward, dot3(absolute(onward), pane.surface.error)));
     ray.t_max -= hit.hit.t;
@@ -62,25 +41,31 @@ FUNCTION Ray ray_behind(Scene scene, Ray ray, PlacedHit hit) {
 }
 
 /// The product of all faces' transmissions, in the order of (t, instance, primitive), as any accelerator finds them. `passed` ends with the face that
-/// takes the rest of the light, if one does.
+/// takes the rest of the light, if one does. Of what a ray can cross twice a list of hits has but the first crossing: it is good up to the first such
+/// thing, and what coincides with that; the rest is looked for from behind it.
 FUNCTION Spectrum transmission_along(Scene scene, Ray ray, uint source_instance, FaceList *passed) {
     Spectrum light = make3(1.0f, 1.0f, 1.0f);
-    Pane last;
+    Pane last, behind;
     last.material = 0;
     for (;;) {
         HitList list = empty_list();
         scene_any_hit(scene, ray, source_instance, &list);
-        const Certain certain = certain_hits(scene, ray, &list);
-        for (uint k = 0u; k < certain.count; ++k) {
+        const bool all = list.count < HIT_LIST_SIZE;
+        bool flat = true;
+        uint from = 0u;
+        for (uint k = 0u; k < list.count; ++k) {
             const Pane pane = pane_at(scene, ray, list.hits[k]), before = last;
+            if (!flat && !coincide(behind.surface, pane.surface)) break;
             last = pane;
+            if (flat) behind = pane, from = k;
+            flat &= is_flat(scene, list.hits[k]);
             if (are_one(pane, before)) continue;
             const Spectrum part = pane_transmission(pane, minimum(fabs(dot3(pane.surface.geometric, ray.direction)), 1.0f));
             if (passed && largest(light) > 0.0f) face_list_add(passed, list.hits[k], pane.surface.p, pane.enters, part);
             light = times(light, part);
         }
-        if (certain.all || largest(light) <= 0.0f) return light;
-        source_instance = instance_of(list.hits[certain.last]);
-        ray = ray_behind(scene, ray, list.hits[certain.last]);
+        if ((all && flat) || largest(light) <= 0.0f) return light;
+        source_instance = instance_of(list.hits[from]);
+        ray = ray_behind(ray, list.hits[from], behind);
     }
 }
