@@ -132,11 +132,14 @@ TEST(Aovs, OfPixelsThatNoSampleIsOfNumberNothing) {
     const DeviceScene on_device(test_device(), compiled);
     const Film film(test_device(), scene.film.window());
     const Aovs aovs(test_device(), scene, compiled, on_device, scene.cameras[0], 64);
+    uint found = 0;
     for (const PictureChannel &channel : aovs.develop(film)) {
         if (channel.name == "primitive" || channel.name == "instance") {
+            ++found;
             EXPECT_EQ(channel.numbers, std::vector<uint>(6, NO_HIT)) << channel.name;
         }
     }
+    EXPECT_EQ(found, 2u);
 }
 
 /// From within glass its surface is seen from the side away from its outward normal.

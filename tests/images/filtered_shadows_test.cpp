@@ -192,6 +192,7 @@ TEST(FilteredShadows, AreAdvisedWhereNobodySays) {
     const auto warnings = compile(scene).warnings;
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_NE(warnings.begin()->first.find("--shadows filtered"), std::string::npos);
+    EXPECT_EQ(warnings.begin()->second, 1u);
     scene.integrator.shadows_unsaid = false;
     EXPECT_TRUE(compile(scene).warnings.empty());
     scene.integrator.shadows_unsaid = true;

@@ -379,6 +379,9 @@ TEST(Cli, CheckReportsWithoutADevice) {
     const Finished bad = run_program({"check", folder.write("bad.json", native_scene("", R"("integrator": {"type": "path"},)"))});
     EXPECT_EQ(bad.status, 1);
     EXPECT_NE(bad.err.find("bad.json:6: /integrator/type: there is no \"path\", only whitted"), std::string::npos) << bad.err;
+    const Finished cut = run_program({"check", folder.write("cut.json", R"({"camera": )")});
+    EXPECT_EQ(cut.status, 1);
+    EXPECT_NE(cut.err.find("cut.json:1: "), std::string::npos) << cut.err;
 }
 
 // 0x80 is 128 / 255 by the sRGB curve: ((128 / 255 + 0.055) / 1.055)^2.4 = 0.215861.

@@ -351,11 +351,13 @@ TEST(Frustum, TheTipHasANormal) {
         directions.push_back(vec3(0, 0, 1));
     }
     const CrossingProbe<FrustumBlock> probe(frustum_kind, shapes);
+    std::size_t hits = 0;
     for (const SpawnResult &result : probe.spawned(rays, directions)) {
-        if (result.first.hit) {
-            EXPECT_NEAR(glm::length(result.surface.geometric), 1, 1e-6);
-        }
+        if (!result.first.hit) continue;
+        ++hits;
+        EXPECT_NEAR(glm::length(result.surface.geometric), 1, 1e-6);
     }
+    EXPECT_GT(hits, 0u);
 }
 
 }  // namespace

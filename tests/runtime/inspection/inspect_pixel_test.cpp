@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -54,9 +55,29 @@ std::array<__int128, 3> checked_sum(const TracedRay &ray, const Scene &scene) {
     return sum;
 }
 
+using RayPredicate = bool (*)(const TracedRay &ray);
+
+/// Whether it holds of a ray or of one below it.
+bool any_ray(const TracedRay &ray, RayPredicate holds) {
+    const auto below = [&](const TracedChild &child) { return child.traced && any_ray(*child.traced, holds); };
+    return holds(ray) || std::any_of(ray.children.begin(), ray.children.end(), below);
+}
+
+bool in_two_media(const TracedRay &ray) { return std::count(ray.before.begin(), ray.before.end(), 0u) + 2 <= std::ssize(ray.before); }
+bool lit_through_something(const TracedRay &ray) {
+    const auto lit = [](const TracedLight &light) { return light.asked && light.visible && !light.passed.empty(); };
+    const auto in_block = [&](const TracedLightBlock &block) { return std::any_of(block.lights.begin(), block.lights.end(), lit); };
+    return std::any_of(ray.lights.begin(), ray.lights.end(), in_block);
+}
+bool lit_in_blocks(const TracedRay &ray) { return ray.lights.size() > 1; }
+bool meets_an_instance(const TracedRay &ray) { return ray.instance > 0; }
+bool meets_a_texture(const TracedRay &ray) { return ray.hits() && ray.tints && ray.tints->diffuse != Spectrum(1); }
+
+/// A scene, and what must happen to some ray of the pixels that are inspected, so that they test what the scene is for.
 struct Picture {
     const char *name;
     Scene (*make)();
+    RayPredicate shows;
 };
 void PrintTo(const Picture &picture, std::ostream *out) { *out << picture.name; }
 
@@ -76,6 +97,7 @@ TEST_P(InspectedPicture, HasTheBitsOfTheRenderAndTreesThatAddUpToThem) {
     const Scene scene = GetParam().make();
     const Rendering rendering = render_scene(scene);
     const uint spp = scene.film.spp, places[][2] = {{8, 6}, {12, 9}};
+    bool shown = false;
     for (const auto &[x, y] : places) {
         const std::size_t place = y * scene.film.width + x;
         for (const uint batch : {2u, 256u}) {
@@ -85,6 +107,7 @@ TEST_P(InspectedPicture, HasTheBitsOfTheRenderAndTreesThatAddUpToThem) {
             ASSERT_EQ(pixel.samples.size(), spp);
             for (uint i = 0; i < spp; ++i) {
                 EXPECT_EQ(pixel.samples[i].number, i);
+                shown |= any_ray(pixel.samples[i].ray, GetParam().shows);
                 const auto sum = checked_sum(pixel.samples[i].ray, scene);
                 for (std::size_t c = 0; c < 3; ++c) EXPECT_TRUE(sum[c] == value_of(pixel.samples[i].sum.sum[c])) << "sample " << i;
             }
@@ -94,14 +117,15 @@ TEST_P(InspectedPicture, HasTheBitsOfTheRenderAndTreesThatAddUpToThem) {
         ASSERT_EQ(one.samples.size(), 1u);
         EXPECT_EQ(one.samples[0].number, spp - 1);
     }
+    EXPECT_TRUE(shown);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, InspectedPicture,
-                         testing::Values(Picture{"NestedGlass", [] { return example("nested_glass.json", {"film.spp=1"}); }},
-                                         Picture{"FilteredShadowAtSixteen", shadow_of_glass},
-                                         Picture{"LampsInBlocks", [] { return example("lamps.json", {"film.spp=4"}); }},
-                                         Picture{"Instances", [] { return example("instances.json", {"film.spp=2"}); }},
-                                         Picture{"TexturesFilteredByMitchell", mitchell_textures}),
+                         testing::Values(Picture{"NestedGlass", [] { return example("nested_glass.json", {"film.spp=1"}); }, in_two_media},
+                                         Picture{"FilteredShadowAtSixteen", shadow_of_glass, lit_through_something},
+                                         Picture{"LampsInBlocks", [] { return example("lamps.json", {"film.spp=4"}); }, lit_in_blocks},
+                                         Picture{"Instances", [] { return example("instances.json", {"film.spp=2"}); }, meets_an_instance},
+                                         Picture{"TexturesFilteredByMitchell", mitchell_textures, meets_a_texture}),
                          [](const auto &info) { return info.param.name; });
 
 // ---- scenes by hand --------------------------------------------------------------------------------------------------------------------------
@@ -197,6 +221,7 @@ TEST(InspectedRay, SaysWhyAChildWasNotSpawned) {
     };
     const TracedRay eye = traced(scene);
     EXPECT_EQ(why(eye, 0), "");
+    ASSERT_TRUE(eye.children.at(0).traced);
     EXPECT_EQ(why(*eye.children[0].traced, 0), "the material does not reflect");
 
     scene.integrator.threshold = 0.75f;
@@ -261,7 +286,8 @@ TEST(InspectedRay, ListsAllFacesThatItPasses) {
     add_sphere(scene, ball, {0, 0, -8}, 3);
     for (int i = 0; i < 6; ++i) add_sphere(scene, ball, {0, 0, -8}, 1 - 0.1f * float(i));
     const TracedRay eye = traced(scene);
-    const TracedRay &inside = *eye.children.at(refracted_child).traced;
+    ASSERT_TRUE(eye.children.at(refracted_child).traced);
+    const TracedRay &inside = *eye.children[refracted_child].traced;
     ASSERT_EQ(inside.passed.size(), 12u);
     for (uint i = 0; i < 12; ++i) {
         const PassedFace &face = inside.passed[i];
@@ -323,6 +349,7 @@ TEST(InspectedShadow, IsFilteredByTheProductOfItsFaces) {
 
 TEST(InspectedShadow, IsBlockedByTheClosestWhereItIsNotFiltered) {
     const TracedRay ray = traced(panes_before_light(2, true, false));
+    EXPECT_FALSE(light(ray, 0).visible);
     EXPECT_EQ(light(ray, 0).blocker.primitive, 1u);
     EXPECT_NEAR(light(ray, 0).blocker.t, 1, 1e-5);
     EXPECT_TRUE(light(ray, 0).passed.empty());

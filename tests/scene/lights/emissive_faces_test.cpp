@@ -50,7 +50,12 @@ TEST(EmissiveFaces, AGridBecomesItsCells) {
         }
     const std::vector<EmissiveFace> faces = make_emissive_faces(positions, indices);
     ASSERT_EQ(faces.size(), n * n);
-    for (const EmissiveFace &face : faces) EXPECT_NEAR(std::abs(glm::dot(face.u, face.v)), 0, 1e-7);
+    double area = 0;
+    for (const EmissiveFace &face : faces) {
+        EXPECT_NEAR(std::abs(glm::dot(face.u, face.v)), 0, 1e-7);
+        area += area_of(face);
+    }
+    EXPECT_NEAR(area, 1, 1e-6);
 }
 
 }  // namespace

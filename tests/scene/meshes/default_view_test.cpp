@@ -114,9 +114,12 @@ TEST(DefaultView, IsThatOfFilesWithoutCamerasAndLights) {
     ASSERT_EQ(plain.notes.size(), 3u);
     EXPECT_EQ(plain.notes[0].substr(0, 15), "camera: --from ");
     EXPECT_EQ(plain.notes[1], "samples: --spp 16 --light-samples 2");
-    EXPECT_EQ(plain.notes[2].substr(0, 65), R"(scene: {"film": {"width": 512, "height": 512, "spp": 16}, "integr)");
+    const char *begin_of_scene = R"(scene: {"film": {"width": 512, "height": 512, "spp": 16}, "integr)";
+    EXPECT_EQ(plain.notes[2].substr(0, 65), begin_of_scene);
     const Scene lamp = read_scene(folder.write("lamp.obj", "mtllib lamp.mtl\n" + triangle + "usemtl lamp\nf 1 2 3\n"));
     EXPECT_TRUE(lamp.lights.empty());
+    ASSERT_EQ(lamp.notes.size(), 3u);
+    EXPECT_EQ(lamp.notes[2].substr(0, 65), begin_of_scene);
     // Radiance 1 times area 1/2, at the distance sqrt(1/2): the irradiance 1, of which a tenth is that of ambient light, pi times its radiance.
     EXPECT_FLOAT_EQ(lamp.ambient.x, float(0.1 / std::numbers::pi));
     EXPECT_EQ(read_scene(folder.write("plain.obj", triangle + "f 1 2 3\n"), {{"film.pixel=corner"}, {}, {}}).film.spp, 1u);

@@ -30,6 +30,19 @@ int port_said(const std::string &err) {
     return end == err.npos ? 0 : std::stoi(err.substr(place + said.size()));
 }
 
+/// What the page's server answers; status -1 if nothing, which is a failure.
+httplib::Response answer_to(int port, const char *path) {
+    const httplib::Result result = httplib::Client("127.0.0.1", port).Get(path);
+    EXPECT_TRUE(result) << path << ": " << httplib::to_string(result.error());
+    return result ? *result : httplib::Response();
+}
+
+/// The state that the page's server tells; null if none.
+json state_at(int port) {
+    const httplib::Response answer = answer_to(port, "/state.json");
+    return answer.status == 200 ? json::parse(answer.body) : json();
+}
+
 class PreviewOptions : public testing::Test {
 protected:
     Finished run(const std::vector<std::string> &more, const RunOptions &options = {}) {
@@ -62,9 +75,9 @@ TEST_F(PreviewOptions, ThePageIsServedWhilePicturesAreSaved) {
     const auto look = [&](const std::string &err) {
         const int port = port_said(err);
         if (port == 0) return 0;
-        httplib::Client client("127.0.0.1", port);
-        const json state = json::parse(client.Get("/state.json")->body);
-        shown |= state.at("phase") == "rendering" && state.at("samples_done") > 0 && client.Get("/picture.png")->status == 200;
+        const json state = state_at(port);
+        if (state.is_null()) return SIGINT;
+        shown |= state.at("phase") == "rendering" && state.at("samples_done") > 0 && answer_to(port, "/picture.png").status == 200;
         saved |= std::filesystem::exists(out_);
         return saved && shown ? SIGINT : 0;
     };
@@ -91,10 +104,10 @@ TEST_F(PreviewOptions, ThePageGoesOnAsLongAsItWasTold) {
     const auto look = [&](const std::string &err) {
         const int port = port_said(err);
         if (port == 0) return 0;
-        httplib::Client client("127.0.0.1", port);
-        state = json::parse(client.Get("/state.json")->body);
+        state = state_at(port);
+        if (state.is_null()) return SIGINT;
         if (state.at("phase") != "done") return 0;
-        picture = client.Get("/picture.png")->status;
+        picture = answer_to(port, "/picture.png").status;
         return SIGINT;
     };
     const Finished finished = run({"--preview", "web:0", "--preview-hold", "forever"}, {.signal_when = look});
