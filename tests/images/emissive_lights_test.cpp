@@ -147,7 +147,7 @@ TEST(EmissiveLights, FurnaceOfOneBounceHasNoNoise) {
     EXPECT_EQ(rendering.counts.hits[RAY_SHADOW], 0u);
 }
 
-/// What is convex does not light itself from outside, wherever it is: it shows what it shines, times what it reflects of nothing.
+/// What is convex does not light itself from outside, wherever it is: it shows what it shines, plus what it reflects of nothing.
 TEST(EmissiveLights, DoNotLightThemselves) {
     for (const float far : {0.0f, 1.0f, 100.0f, 3000.0f})
         for (const char *kind : {"sphere", "frustum", "quad"}) {

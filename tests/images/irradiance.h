@@ -65,7 +65,7 @@ inline Estimate estimate(const Scene &scene) {
             rendering.counts.hits[RAY_SHADOW]};
 }
 
-/// A normal variable is beyond 4.5 in 7e-6 of all cases; the tests here ask some thirty times.
+/// A normal variable is beyond 4.5 in 7e-6 of all cases; the tests here ask some fifty times.
 inline constexpr Real significant = 4.5L;
 
 /// The mean of the samples, to their statistics and the rounding of a picture.

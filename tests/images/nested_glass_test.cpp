@@ -2,11 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
+#include <optional>
 #include <string>
 
 #include "scene/bsdfs/bsdf.h"
-#include "scene/lights/light.h"
 #include "tests/images/oracle.h"
 #include "tests/images/seen_scenes.h"
 #include "tests/support/rendering.h"

@@ -1,4 +1,4 @@
-/// Scenes for pictures whose values are known: an eye, floors, boxes and glass.
+/// Scenes for pictures whose values are known: an eye, floors and boxes.
 #pragma once
 #include "tests/support/scenes.h"
 

@@ -189,7 +189,8 @@ TEST(Counts, OfKernelsItemsAreThoseOfTheRays) {
     }
 }
 
-/// A small picture's samples fill the waves: as many of each pixel as a batch holds.
+/// A small picture's samples fill the waves: as many of each pixel as a batch holds. 40 samples in batches of 100 are 11 of each of the 9 pixels, then
+/// 16 of each and 13, for which a batch has room in 6 and 7 pixels: two batches each.
 TEST(Counts, OfLaunchesAreFewForSmallPictures) {
     Scene scene = scene_seen_from({0, 0, 3}, {0, 0, 0}, 60, 3);
     for (const auto &[spp, batch, launches] : {std::array{4096u, 36864u, 1u}, {4096u, 9216u, 4u}, {5000u, 9216u, 5u}, {40u, 100u, 5u}}) {

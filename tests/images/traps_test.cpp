@@ -1,12 +1,12 @@
 /// The known traps that Whitted's method can show: what it must get right, and what it must leave dark.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
+#include <vector>
 
 #include "scene/bsdfs/bsdf.h"
-#include "scene/lights/light.h"
 #include "tests/images/oracle.h"
 #include "tests/images/seen_scenes.h"
 #include "tests/support/rendering.h"

@@ -1,4 +1,4 @@
-/// Wrong usage and bad settings: one line on standard error that names file, line and cause; exit 1 for input and device, 2 for usage; nothing left
+/// Wrong usage and bad settings: one line on standard error that names the cause; exit 2 for usage, 1 for what scenes cannot be set to; nothing left
 /// behind.
 #include <gtest/gtest.h>
 

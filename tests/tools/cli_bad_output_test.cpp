@@ -1,6 +1,5 @@
 /// Pictures that cannot be written and devices that cannot be used: one line on standard error, exit 1, nothing left behind.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 

@@ -9,7 +9,7 @@ namespace {
 
 using namespace brandung;
 
-/// Runs the program, which must refuse its use in a line that ends like this, and leave all files as they are.
+/// Runs the program, which must refuse its use in one line that contains `message`, and leave all files as they are.
 void expect_refused(const TemporaryFolder &folder, const std::vector<std::string> &arguments, const std::string &message) {
     const auto texts = [&] {
         std::vector<std::string> texts = folder.names();

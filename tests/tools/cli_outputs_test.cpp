@@ -1,4 +1,4 @@
-/// What the program writes: pictures with their metadata, statistics.
+/// Pictures as the program writes them: formats, metadata, crops, AOVs, exposure, and pictures so far.
 #include <gtest/gtest.h>
 
 #include <algorithm>

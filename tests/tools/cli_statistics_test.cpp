@@ -58,7 +58,7 @@ TEST(Statistics, SecondsOfThePhasesAddUpToNoMoreThanTheTotal) {
     EXPECT_GE(sum, seconds.at("total").get<double>() * 0.9) << "little time goes uncounted";
 }
 
-/// A closed sphere of radius 1 seen from 4 away under 40 degrees, without mirrors: every number follows.
+/// A closed sphere of radius 1 seen from 4 away under 90 degrees, without mirrors: every number follows.
 TEST(Statistics, OfASphereFollowFromItsGeometry) {
     const json stats = statistics_of({"--size", "200x200", "--set", "camera.fov=90", "--spp", "1"});
     const json rays = stats.at("rays");

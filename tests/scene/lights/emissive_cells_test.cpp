@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <random>
@@ -57,9 +58,10 @@ void expect_all_of_it(const std::vector<EmissiveFace> &faces, uint count) {
         const auto own = faces_of(cells, cell);
         const std::vector<double> chance = chances(own);
         double area = 0, sum = 0;
-        for (const EmissiveFace &face : own)
-            area += area_of(face) * part_of(face),
-                parts[{face.corner.x + face.u.x + face.v.x, face.corner.y + face.u.y + face.v.y, face.u.z + face.v.z}] += part_of(face);
+        for (const EmissiveFace &face : own) {
+            const vec3 across = face.corner + face.u + face.v;
+            area += area_of(face) * part_of(face), parts[{across.x, across.y, across.z}] += part_of(face);
+        }
         // Both ends are rounded to 2^-32 of a face.
         EXPECT_NEAR(area, whole / count, 0x1p-31 * whole) << cell;
         for (std::size_t i = 0; i < own.size(); ++i) {
