@@ -214,9 +214,7 @@ TEST(Aovs, AreFilteredAsRadianceIs) {
         Scene scene = camera_at({0, 0, 4}, 12, 8, 9);
         scene.film.filter = filter_number(filter), scene.film.filter_radius = filter_kinds()[scene.film.filter].radius;
         scene.background = {0, 0.25f, 0};
-        Material lamp = make_material(Whitted{.exponent = 1});
-        lamp.emission = {0.75f, 0.5f, 1};
-        add_triangle(scene, add_material(scene, lamp), {0.1f, -50, 0}, {0.2f, 50, 0}, {-50, 0, 0});
+        add_triangle(scene, add_material(scene, emitter({0.75f, 0.5f, 1})), {0.1f, -50, 0}, {0.2f, 50, 0}, {-50, 0, 0});
         const std::vector<vec3> picture = render_scene(scene).picture;
         const Channels channels = render_aovs(scene);
         float darkest = 0;

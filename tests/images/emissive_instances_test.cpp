@@ -127,7 +127,7 @@ TEST(EmissiveInstances, WallsKeepTheirRadiance) {
 TEST(EmissiveInstances, AddUp) {
     Scene scene = scene_seen_at({4, 1, 0.5f}, {0, 0, 0});
     scene.film.spp = 32;
-    const uint brighter = add_material(scene, lamp(3));
+    const uint brighter = add_material(scene, emitter(Spectrum(3)));
     add_quad(scene, 1, {-0.5f, 2, -0.5f}, {1, 0, 0}, {0, 0, 1});
     place(scene, {translation({-0.5, 0, -0.5}), translation({0.5, 0, -0.5})});
     ASSERT_FALSE(add_instance(scene, 0, translation({-0.5, 0, 0.5}), brighter));

@@ -1,7 +1,6 @@
 /// Whole pictures through reconstruction filters.
 #include <gtest/gtest.h>
 
-#include "scene/bsdfs/bsdf.h"
 #include "tests/support/filters.h"
 #include "tests/support/rendering.h"
 #include "tests/support/scenes.h"
@@ -21,11 +20,9 @@ Scene empty_scene(const std::string &filter, uint width, uint height, uint spp) 
 /// White left of `edge` [pixels from the left], black right of it.
 Scene edge_scene(const std::string &filter, uint width, uint height, uint spp, double edge) {
     Scene scene = empty_scene(filter, width, height, spp);
-    Material white = make_material(Whitted{.exponent = 1});
-    white.emission = Spectrum(1);
     // The picture plane at distance 1 is 2 tan(fov / 2) high.
     const float pixel = 2 * std::tan(glm::radians(22.5f)) / float(height), x = float(edge - width / 2.0) * pixel;
-    add_triangle(scene, add_material(scene, white), {x, -100, 0}, {x, 100, 0}, {x - 100, 0, 0});
+    add_triangle(scene, add_material(scene, emitter(Spectrum(1))), {x, -100, 0}, {x, 100, 0}, {x - 100, 0, 0});
     return scene;
 }
 

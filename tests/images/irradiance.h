@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/bsdfs/bsdf.h"
 #include "tests/images/oracle.h"
 #include "tests/support/rendering.h"
 #include "tests/support/scenes.h"
@@ -14,12 +13,6 @@ namespace brandung::irradiance {
 
 using oracle::pi;
 using oracle::Real;
-
-inline Material lamp(float radiance) {
-    Material material = make_material(Whitted{.exponent = 1});
-    material.emission = Spectrum(radiance);
-    return material;
-}
 
 /// Looks from `from` at a point of what material 0, of reflectance 1, is added as: so narrow that every pixel is another estimate of that point's
 /// irradiance over pi. The lamp, material 1, has radiance 1.
@@ -31,7 +24,7 @@ inline Scene scene_seen_at(vec3 from, vec3 at) {
     scene.cameras.push_back(camera);
     scene.film.width = 32, scene.film.height = 24, scene.film.spp = 16;
     scene.integrator.max_depth = 1;
-    add_material(scene, matte(1)), add_material(scene, lamp(1));
+    add_material(scene, matte(1)), add_material(scene, emitter(Spectrum(1)));
     return scene;
 }
 

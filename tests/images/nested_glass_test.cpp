@@ -18,12 +18,6 @@ using oracle::Line;
 using oracle::Real;
 using oracle::Vec;
 
-uint add_emitter(Scene &scene, Spectrum radiance) {
-    Material material = make_material(Whitted{.exponent = 1});
-    material.emission = radiance;
-    return add_material(scene, material);
-}
-
 /// Lets through what Fresnel's law lets through, and reflects nothing.
 uint add_clear(Scene &scene, float eta, uint priority) {
     Material material = make_material(Whitted{.transmission = Spectrum(1), .exponent = 1, .fresnel = 1});
@@ -76,16 +70,6 @@ Line through_level(const Line &ray, Real height, Real index, Real beyond, Real &
     return {p, *oracle::refract(ray.direction, Vec(0, 1, 0), index / beyond)};
 }
 
-/// Expects what glass from 0.5 down to `border` and water from there down to -1 let through.
-void expect_glass_on_water(const GlassOverFloor &test, Real border) {
-    test.expect(1600, [&](const Line &eye) -> std::optional<Real> {
-        Real part = 1;
-        const Line in_glass = through_level(eye, 0.5L, 1, 1.5f, part), in_water = through_level(in_glass, border, 1.5f, 1.33f, part);
-        const Line below = through_level(in_water, -1, 1.33f, 1, part);
-        return part * test.floor_radiance(below);
-    });
-}
-
 /// Expects what glass from 0.5 down to -1 lets through.
 void expect_glass(const GlassOverFloor &test) {
     test.expect(1600, [&](const Line &eye) -> std::optional<Real> {
@@ -95,44 +79,47 @@ void expect_glass(const GlassOverFloor &test) {
     });
 }
 
+/// Of index 1.33, from -1 up to `top`.
+struct Water {
+    uint priority;
+    float top = 0, half_width = 9;
+};
+/// Of index 1.5, from 0.5 down to `bottom`.
+struct Glass {
+    uint priority;
+    float bottom;
+};
+
+/// Expects of water, which is declared first, and glass in it or on it what they let through if the glass ends and the water begins at `border`.
+void expect_border(const Water &water, const Glass &glass, Real border, bool glass_first = false) {
+    GlassOverFloor test(4);
+    const uint of_water = add_clear(test.scene, 1.33f, water.priority), of_glass = add_clear(test.scene, 1.5f, glass.priority);
+    const float half = water.half_width;
+    if (glass_first) add_box(test.scene, of_glass, {-8, glass.bottom, -8}, {8, 0.5f, 8});
+    add_box(test.scene, of_water, {-half, -1, -half}, {half, water.top, half});
+    if (!glass_first) add_box(test.scene, of_glass, {-8, glass.bottom, -8}, {8, 0.5f, 8});
+    test.expect(1600, [&](const Line &eye) -> std::optional<Real> {
+        Real part = 1;
+        const Line in_glass = through_level(eye, 0.5L, 1, 1.5f, part), in_water = through_level(in_glass, border, 1.5f, 1.33f, part);
+        const Line below = through_level(in_water, -1, 1.33f, 1, part);
+        return part * test.floor_radiance(below);
+    });
+}
+
 }  // namespace
 
 /// Glass down to -0.5 in water up to 0: the water's surface inside the glass is none. Depth 4 suffices: passing it costs nothing.
-TEST(NestedGlass, HigherPriorityHidesTheOthersSurface) {
-    GlassOverFloor test(4);
-    const uint water = add_clear(test.scene, 1.33f, 0), glass = add_clear(test.scene, 1.5f, 1);
-    add_box(test.scene, water, {-9, -1, -9}, {9, 0, 9});
-    add_box(test.scene, glass, {-8, -0.5f, -8}, {8, 0.5f, 8});
-    expect_glass_on_water(test, -0.5L);
-}
+TEST(NestedGlass, HigherPriorityHidesTheOthersSurface) { expect_border({.priority = 0}, {.priority = 1, .bottom = -0.5f}, -0.5L); }
 
 /// The other way round the glass ends where the water begins.
-TEST(NestedGlass, LowerPriorityIsHidden) {
-    GlassOverFloor test(4);
-    const uint water = add_clear(test.scene, 1.33f, 2), glass = add_clear(test.scene, 1.5f, 1);
-    add_box(test.scene, water, {-9, -1, -9}, {9, 0, 9});
-    add_box(test.scene, glass, {-8, -0.5f, -8}, {8, 0.5f, 8});
-    expect_glass_on_water(test, 0);
-}
+TEST(NestedGlass, LowerPriorityIsHidden) { expect_border({.priority = 2}, {.priority = 1, .bottom = -0.5f}, 0); }
 
 /// Liquids are modelled overlapping their glass a little (Schmidt and Budge, Simple Nested Dielectrics in Ray Traced Images, JGT 7(2) 2002): then
 /// they touch without a gap.
-TEST(NestedGlass, LiquidThatOverlapsItsGlassTouchesIt) {
-    GlassOverFloor test(4);
-    const uint water = add_clear(test.scene, 1.33f, 0), glass = add_clear(test.scene, 1.5f, 1);
-    add_box(test.scene, water, {-9, -1, -9}, {9, 0.001f, 9});
-    add_box(test.scene, glass, {-8, 0, -8}, {8, 0.5f, 8});
-    expect_glass_on_water(test, 0);
-}
+TEST(NestedGlass, LiquidThatOverlapsItsGlassTouchesIt) { expect_border({.priority = 0, .top = 0.001f}, {.priority = 1, .bottom = 0}, 0); }
 
 /// Of equal priorities the material that was declared first counts: the glass ends where the water begins.
-TEST(NestedGlass, OfEqualPrioritiesTheFirstHides) {
-    GlassOverFloor test(4);
-    const uint water = add_clear(test.scene, 1.33f, 0), glass = add_clear(test.scene, 1.5f, 0);
-    add_box(test.scene, glass, {-8, -0.5f, -8}, {8, 0.5f, 8});
-    add_box(test.scene, water, {-9, -1, -9}, {9, 0, 9});
-    expect_glass_on_water(test, 0);
-}
+TEST(NestedGlass, OfEqualPrioritiesTheFirstHides) { expect_border({.priority = 0}, {.priority = 0, .bottom = -0.5f}, 0, true); }
 
 /// Where two faces are the same plane there is one interface, in either order of the objects, and even where their diagonals coincide.
 struct Touching {
@@ -142,13 +129,7 @@ class TouchingGlass : public testing::TestWithParam<Touching> {};
 
 TEST_P(TouchingGlass, HasOneInterfaceWhereFacesCoincide) {
     const auto [water_first, same_size] = GetParam();
-    GlassOverFloor test(4);
-    const uint water = add_clear(test.scene, 1.33f, 0), glass = add_clear(test.scene, 1.5f, 0);
-    const float size = same_size ? 8.0f : 9.0f;
-    if (water_first) add_box(test.scene, water, {-size, -1, -size}, {size, 0, size});
-    add_box(test.scene, glass, {-8, 0, -8}, {8, 0.5f, 8});
-    if (!water_first) add_box(test.scene, water, {-size, -1, -size}, {size, 0, size});
-    expect_glass_on_water(test, 0);
+    expect_border({.priority = 0, .half_width = same_size ? 8.0f : 9.0f}, {.priority = 0, .bottom = 0}, 0, !water_first);
 }
 
 INSTANTIATE_TEST_SUITE_P(NestedGlass, TouchingGlass,
@@ -171,7 +152,7 @@ TEST(NestedGlass, WhatIsOpaqueCountsWhereGlassTouchesIt) {
     for (const bool glass_first : {false, true}) {
         Scene scene = scene_seen_from({0.4f, 6, 0.3f}, {0, 0, 0}, 28);
         scene.integrator.max_depth = 3;
-        const uint clear = add_clear(scene, 1.5f, 0), floor = add_emitter(scene, Spectrum(2));
+        const uint clear = add_clear(scene, 1.5f, 0), floor = add_material(scene, emitter(Spectrum(2)));
         if (glass_first) add_box(scene, clear, {-9, 0, -9}, {9, 0.5f, 9});
         add_floor(scene, floor, 12, 0);
         if (!glass_first) add_box(scene, clear, {-9, 0, -9}, {9, 0.5f, 9});

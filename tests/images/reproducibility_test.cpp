@@ -191,9 +191,7 @@ TEST(SameBits, EachHalfOfThePixelsSamplesSeesAllOfThePixel) {
     scene.shapes.clear(), scene.lights.clear();
     scene.background = Spectrum(0), scene.ambient = Spectrum(0);
     scene.cameras[0].from = {0, 0, 3}, scene.cameras[0].at = {0, 0, 0};
-    Material bright = make_material(Whitted{.exponent = 1});
-    bright.emission = Spectrum(1);
-    add_triangle(scene, add_material(scene, bright), {0, -100, 0}, {0, 100, 0}, {-100, 0, 0});
+    add_triangle(scene, add_material(scene, emitter(Spectrum(1))), {0, -100, 0}, {0, 100, 0}, {-100, 0, 0});
     for (const uint spp : {8u, 16u, 64u}) {
         scene.film.spp = spp;
         const FilmPixel pixel = render_scene(scene).film.at(0);

@@ -189,8 +189,8 @@ TEST(Counts, OfKernelsItemsAreThoseOfTheRays) {
     }
 }
 
-/// A small picture's samples fill the waves: as many of each pixel as a batch holds. 40 samples in batches of 100 are 11 of each of the 9 pixels, then
-/// 16 of each and 13, for which a batch has room in 6 and 7 pixels: two batches each.
+/// A small picture's samples fill the waves: as many of each pixel as a batch holds. 40 samples in batches of 100 are 11 of each of the 9 pixels,
+/// then 16 of each and 13, for which a batch has room in 6 and 7 pixels: two batches each.
 TEST(Counts, OfLaunchesAreFewForSmallPictures) {
     Scene scene = scene_seen_from({0, 0, 3}, {0, 0, 0}, 60, 3);
     for (const auto &[spp, batch, launches] : {std::array{4096u, 36864u, 1u}, {4096u, 9216u, 4u}, {5000u, 9216u, 5u}, {40u, 100u, 5u}}) {
@@ -203,9 +203,7 @@ TEST(Counts, OfLaunchesAreFewForSmallPictures) {
 
 TEST(Counts, OfSamplesCutAreThoseBeyondTheLimit) {
     Scene scene = scene_seen_from({0, 0, 3}, {0, 0, 0}, 60, 20);
-    Material bright = make_material(Whitted{.exponent = 1});
-    bright.emission = Spectrum(1, 1e6f, 2);
-    add_sphere(scene, add_material(scene, bright), {0, 0, 0}, 1);
+    add_sphere(scene, add_material(scene, emitter({1, 1e6f, 2})), {0, 0, 0}, 1);
     const Rendering rendering = render_scene(scene);
     EXPECT_EQ(rendering.clamped, rendering.counts.hits[RAY_CAMERA]);
     EXPECT_EQ(rendering.refused, 0u);
@@ -229,9 +227,7 @@ TEST(Counts, OfContributionsRefusedAreThoseThatAreNotFinite) {
 /// Finite light is cut, not refused, however bright.
 TEST(Counts, OfContributionsRefusedHaveNoneThatAreFinite) {
     Scene scene = scene_seen_from({0, 0, 3}, {0, 0, 0}, 60, 20);
-    Material bright = make_material(Whitted{.exponent = 1});
-    bright.emission = Spectrum(3e38f);
-    add_sphere(scene, add_material(scene, bright), {0, 0, 0}, 1);
+    add_sphere(scene, add_material(scene, emitter(Spectrum(3e38f))), {0, 0, 0}, 1);
     const Rendering rendering = render_scene(scene);
     EXPECT_EQ(rendering.refused, 0u);
     EXPECT_EQ(rendering.clamped, rendering.counts.hits[RAY_CAMERA]);

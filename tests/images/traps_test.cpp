@@ -19,12 +19,6 @@ using oracle::Line;
 using oracle::Real;
 using oracle::Vec;
 
-uint add_emitter(Scene &scene, Spectrum radiance) {
-    Material material = make_material(Whitted{.exponent = 1});
-    material.emission = radiance;
-    return add_material(scene, material);
-}
-
 float largest(const std::vector<vec3> &picture) {
     float most = 0;
     for (const vec3 &pixel : picture) most = std::max({most, pixel.x, pixel.y, pixel.z});
@@ -111,8 +105,8 @@ TEST(Traps, TheInsideOfGlassShowsTheLightOnItsOutside) {
 TEST(Traps, OfInterpenetratingBodiesTheNearestShows) {
     Scene scene = scene_seen_from({0.5f, 2, 4}, {0, 0, 0}, 45, 100);
     const Vec centers[] = {{-0.4L, 0, 0}, {0.4L, 0.2L, 0.1L}};
-    for (const Vec &center : centers) add_sphere(scene, add_emitter(scene, Spectrum(center.x < 0 ? 1.0f : 2.0f)), vec3(center), 0.8f);
-    add_floor(scene, add_emitter(scene, Spectrum(4)), 1.5f, 0);
+    for (const Vec &center : centers) add_sphere(scene, add_material(scene, emitter(Spectrum(center.x < 0 ? 1.0f : 2.0f))), vec3(center), 0.8f);
+    add_floor(scene, add_material(scene, emitter(Spectrum(4))), 1.5f, 0);
     const Rendering rendering = render_scene(scene);
     std::size_t seen[3] = {}, ties = 0;
     for (uint y = 0; y < 100; ++y)

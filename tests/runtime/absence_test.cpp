@@ -247,9 +247,7 @@ TEST(Lint, ItsListsNameEveryKindAndFileThatSpecialisationCanMake) {
     auto world = std::exchange(scene.shapes, {});
     add_soup(scene, 0, {.of_each = 1});
     add_group(scene, "group", std::exchange(scene.shapes, std::move(world)));
-    Material shining = matte(0.5f);
-    shining.emission = Spectrum(1);
-    ASSERT_FALSE(add_instance(scene, 0, AffineMap(), add_material(scene, shining)));
+    ASSERT_FALSE(add_instance(scene, 0, AffineMap(), add_material(scene, emitter(Spectrum(1)))));
     const Sources lists = specialize(compile(scene));
     for (const auto &[path, text] : lists) {
         std::ifstream in(stubs / path);

@@ -52,9 +52,7 @@ TEST(Compile, EmissiveShapesOfInstancesAreLights) {
     Scene scene;
     scene.file = "scene";
     const uint dull = add_material(scene, matte(0.5f));
-    Material shining = matte(0.5f);
-    shining.emission = Spectrum(1);
-    const uint lamp = add_material(scene, shining);
+    const uint lamp = add_material(scene, emitter(Spectrum(1)));
     add_sphere(scene, dull, {0, 0, 0}, 1), add_sphere(scene, lamp, {3, 0, 0}, 1);
     add_group(scene, "pair", std::exchange(scene.shapes, {}));
     ASSERT_FALSE(add_instance(scene, 0, AffineMap()));

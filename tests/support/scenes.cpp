@@ -26,6 +26,12 @@ Material glass(float eta) {
     return material;
 }
 
+Material emitter(Spectrum radiance) {
+    Material material = make_material(Whitted{.exponent = 1});
+    material.emission = radiance;
+    return material;
+}
+
 Light point_light(vec3 position, Spectrum intensity) { return make_light(PointLight{position, intensity, vec3(0, 0, 1)}); }
 
 Light directional_light(vec3 towards, Spectrum irradiance) {

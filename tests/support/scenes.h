@@ -26,6 +26,8 @@ private:
 Material matte(float diffuse);
 Material mirror(float reflection);
 Material glass(float eta);
+/// Shines, and does nothing else.
+Material emitter(Spectrum radiance);
 Light point_light(vec3 position, Spectrum intensity);
 Light directional_light(vec3 towards, Spectrum irradiance);
 /// `angle` is the cone's, from edge to edge [degrees].
