@@ -177,33 +177,3 @@ TEST(CliInspect, TextIsATreeAndThenEveryRay) {
     EXPECT_EQ(brief.out.find("ray 0:"), std::string::npos) << brief.out;
     EXPECT_NE(brief.out.find("└─ 1 reflected"), std::string::npos) << brief.out;
 }
-
-struct Refused {
-    const char *name;
-    std::vector<std::string> arguments;
-    std::string says;
-};
-void PrintTo(const Refused &refused, std::ostream *out) { *out << refused.name; }
-
-class RefusedInspection : public testing::TestWithParam<Refused> {};
-
-TEST_P(RefusedInspection, Exits2WithOneLine) {
-    const TemporaryFolder folder;
-    const Finished run = inspect(folder, GetParam().arguments);
-    EXPECT_EQ(run.status, 2) << run.err;
-    EXPECT_EQ(run.out, "");
-    EXPECT_EQ(lines_of(run.err).size(), 1u) << run.err;
-    EXPECT_NE(run.err.find(GetParam().says), std::string::npos) << run.err;
-}
-
-INSTANTIATE_TEST_SUITE_P(Cli, RefusedInspection,
-                         testing::Values(Refused{"NoPixel", {}, "PIXEL is required"},
-                                         Refused{"NoComma", {"8"}, "expected X,Y from the top left, got '8'"},
-                                         Refused{"EmptyPixel", {""}, "expected X,Y"}, Refused{"NoNumbers", {"a,b"}, "got 'a,b'"},
-                                         Refused{"Fraction", {"1.5,2"}, "got '1.5,2'"}, Refused{"Three", {"1,2,3"}, "got '1,2,3'"},
-                                         Refused{"Huge", {"99999999999,1"}, "got '99999999999,1'"},
-                                         Refused{"TooFarRight", {"16,0"}, "16,0 is outside the picture, whose pixels are 0,0 to 15,11"},
-                                         Refused{"TooFarDown", {"0,12"}, "0,12 is outside"},
-                                         Refused{"SampleBeyondTheLast", {"0,0", "--sample", "4"}, "4 is beyond the last sample, 3: film.spp is 4"},
-                                         Refused{"SampleOfWords", {"0,0", "--sample", "first"}, "expected a number or 'all', got 'first'"}),
-                         [](const auto &info) { return info.param.name; });
