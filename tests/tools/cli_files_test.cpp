@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/image.h"
-#include "tests/tools/program.h"
+#include "tests/tools/runs.h"
 #include "tests/tools/scenes.h"
 
 namespace {
@@ -67,6 +67,6 @@ TEST(CliFiles, AovsOfTheSceneFileAreLeftOutOfPicturesWithoutChannels) {
     std::string text = native_scene();
     text.replace(text.find("\"spp\": 1"), 8, R"("spp": 1, "aovs": ["normal"])");
     const Finished run = run_program({"render", folder.write("scene.json", text), "-o", folder.path("out.png")});
-    EXPECT_EQ(run.status, 0) << run.err;
+    expect_success(run);
     EXPECT_NE(run.err.find("film.aovs: not recorded, since no output is an EXR"), std::string::npos) << run.err;
 }

@@ -1,7 +1,7 @@
 /// What is mistyped is answered with what may have been meant.
 #include <gtest/gtest.h>
 
-#include "tests/tools/program.h"
+#include "tests/tools/runs.h"
 #include "tests/tools/scenes.h"
 
 namespace {
@@ -55,6 +55,6 @@ TEST(CliHints, MaterialsOfFilesAreNotForObjects) {
 TEST(CliHints, ReflectancesAboveOneAreMentioned) {
     const TemporaryFolder folder;
     const Finished run = run_program({"check", folder.write("scene.json", native_scene()), "--set", "materials.0.diffuse=[255,0,0]"});
-    EXPECT_EQ(run.status, 0) << run.err;
+    expect_success(run);
     expect_part(run.out, "warning: diffuse reflectance above 1: ");
 }

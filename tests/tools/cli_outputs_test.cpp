@@ -7,21 +7,13 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/tools/program.h"
+#include "tests/tools/runs.h"
 #include "tests/tools/scenes.h"
 #include "tests/tools/stored_picture.h"
 
 namespace {
 
 using nlohmann::json;
-
-void render(const std::vector<std::string> &arguments) {
-    std::vector<std::string> all = {"render", "--quiet"};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    const Finished run = run_program(all);
-    ASSERT_EQ(run.status, 0) << run.err;
-    ASSERT_EQ(run.err, "");
-}
 
 /// IEC 61966-2-1, in 8 bits.
 int srgb_byte(double linear) {
@@ -34,7 +26,7 @@ int srgb_byte(double linear) {
 
 TEST(Outputs, ExrHasThePicturesSizeFloatsAndLinearColour) {
     const TemporaryFolder folder;
-    render({folder.write("scene.json", native_scene()), "-o", folder.path("out.exr")});
+    render_quietly({folder.write("scene.json", native_scene()), "-o", folder.path("out.exr")});
     const StoredPicture picture = read_stored(folder.path("out.exr"));
     EXPECT_EQ(picture.spec.width, 32);
     EXPECT_EQ(picture.spec.height, 24);
@@ -50,7 +42,7 @@ TEST(Outputs, ExrHasThePicturesSizeFloatsAndLinearColour) {
 TEST(Outputs, ExrNamesProgramSettingsSceneAndStatistics) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.json", native_scene());
-    render({scene, "-o", folder.path("out.exr"), "--spp", "2", "--seed", "3", "--max-depth", "4", "--set", "integrator.threshold=0.25"});
+    render_quietly({scene, "-o", folder.path("out.exr"), "--spp", "2", "--seed", "3", "--max-depth", "4", "--set", "integrator.threshold=0.25"});
     const StoredPicture picture = read_stored(folder.path("out.exr"));
     EXPECT_TRUE(picture.text("Software").starts_with("brandung 0.")) << picture.text("Software");
     EXPECT_EQ(picture.text("brandung:scene"), scene);
@@ -74,7 +66,7 @@ TEST(Outputs, ExrNamesProgramSettingsSceneAndStatistics) {
 TEST(Outputs, ExrHasTheScenesHash) {
     const TemporaryFolder folder;
     const auto hash = [&](const std::string &name, const std::string &text) {
-        render({folder.write(name, text), "-o", folder.path("out.exr")});
+        render_quietly({folder.write(name, text), "-o", folder.path("out.exr")});
         return read_stored(folder.path("out.exr")).text("brandung:scene_hash");
     };
     const std::string one = hash("one.json", native_scene());
@@ -85,8 +77,8 @@ TEST(Outputs, ExrHasTheScenesHash) {
 
 TEST(Outputs, PngIsTheExrThroughExposureAndTheSrgbCurve) {
     const TemporaryFolder folder;
-    render({folder.write("scene.json", native_scene()), "--size", "37x23", "--spp", "4", "--set", "film.exposure=1.5", "-o", folder.path("out.exr"),
-            "-o", folder.path("out.png")});
+    render_quietly({folder.write("scene.json", native_scene()), "--size", "37x23", "--spp", "4", "--set", "film.exposure=1.5", "-o",
+                    folder.path("out.exr"), "-o", folder.path("out.png")});
     const StoredPicture linear = read_stored(folder.path("out.exr")), shown = read_stored(folder.path("out.png"));
     EXPECT_EQ(shown.spec.width, 37);
     EXPECT_EQ(shown.spec.height, 23);
@@ -106,7 +98,7 @@ TEST(Outputs, PngIsTheExrThroughExposureAndTheSrgbCurve) {
 /// Pixel for pixel, on every machine.
 TEST(Outputs, TheReadmesPictureIsWhatTheDemoRenders) {
     const TemporaryFolder folder;
-    render({BRANDUNG_SOURCE_DIR "/scene/examples/whitted_1980.json", "-o", folder.path("demo.png")});
+    render_quietly({BRANDUNG_SOURCE_DIR "/scene/examples/whitted_1980.json", "-o", folder.path("demo.png")});
     const StoredPicture shown = read_stored(BRANDUNG_SOURCE_DIR "/scene/pictures/whitted_1980.png"), demo = read_stored(folder.path("demo.png"));
     EXPECT_EQ(shown.spec.width, demo.spec.width);
     EXPECT_EQ(shown.values, demo.values);
@@ -117,16 +109,16 @@ TEST(Outputs, TheGuidesPicturesAreWhatItsExamplesRender) {
     const TemporaryFolder folder;
     for (const std::string name : {"light_mirror_table", "primitives"}) {
         const StoredPicture shown = read_stored(BRANDUNG_SOURCE_DIR "/scene/pictures/" + name + ".png");
-        render({BRANDUNG_SOURCE_DIR "/scene/examples/" + name + ".json", "--size",
-                std::to_string(shown.spec.width) + "x" + std::to_string(shown.spec.height), "-o", folder.path("rendered.png")});
+        render_quietly({BRANDUNG_SOURCE_DIR "/scene/examples/" + name + ".json", "--size",
+                        std::to_string(shown.spec.width) + "x" + std::to_string(shown.spec.height), "-o", folder.path("rendered.png")});
         EXPECT_EQ(shown.values, read_stored(folder.path("rendered.png")).values) << name;
     }
 }
 
 TEST(Outputs, SeveralAtOnceAreTheSamePicture) {
     const TemporaryFolder folder;
-    render({folder.write("scene.json", native_scene()), "-o", folder.path("a.exr"), "-o", folder.path("b.exr"), "-o", folder.path("c.tif"), "-o",
-            folder.path("d.hdr"), "-o", folder.path("e.jpg")});
+    render_quietly({folder.write("scene.json", native_scene()), "-o", folder.path("a.exr"), "-o", folder.path("b.exr"), "-o", folder.path("c.tif"),
+                    "-o", folder.path("d.hdr"), "-o", folder.path("e.jpg")});
     const StoredPicture exr = read_stored(folder.path("a.exr"));
     EXPECT_EQ(exr.values, read_stored(folder.path("b.exr")).values);
     EXPECT_EQ(exr.values, read_stored(folder.path("c.tif")).values);
@@ -137,8 +129,9 @@ TEST(Outputs, SeveralAtOnceAreTheSamePicture) {
 TEST(Outputs, ACropIsADataWindowInExrAndAPictureOfItsSizeElsewhere) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.json", native_scene());
-    render({scene, "-o", folder.path("whole.exr")});
-    render({scene, "--crop", "10,5,22,15", "-o", folder.path("part.exr"), "-o", folder.path("part.png"), "--stats", folder.path("stats.json")});
+    render_quietly({scene, "-o", folder.path("whole.exr")});
+    render_quietly(
+        {scene, "--crop", "10,5,22,15", "-o", folder.path("part.exr"), "-o", folder.path("part.png"), "--stats", folder.path("stats.json")});
     const StoredPicture whole = read_stored(folder.path("whole.exr")), part = read_stored(folder.path("part.exr"));
     EXPECT_EQ(part.spec.x, 10);
     EXPECT_EQ(part.spec.y, 5);
@@ -155,8 +148,9 @@ TEST(Outputs, ACropIsADataWindowInExrAndAPictureOfItsSizeElsewhere) {
 TEST(Outputs, AovsAreChannelsOfTheExr) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.json", native_scene());
-    render({scene, "-o", folder.path("plain.exr")});
-    render({scene, "--aov", "normal,depth,samples", "-o", folder.path("a.exr"), "-o", folder.path("a.png"), "--stats", folder.path("stats.json")});
+    render_quietly({scene, "-o", folder.path("plain.exr")});
+    render_quietly(
+        {scene, "--aov", "normal,depth,samples", "-o", folder.path("a.exr"), "-o", folder.path("a.png"), "--stats", folder.path("stats.json")});
     const StoredPicture plain = read_stored(folder.path("plain.exr")), picture = read_stored(folder.path("a.exr"));
     std::vector<std::string> names = picture.spec.channelnames;
     std::sort(names.begin(), names.end());
@@ -188,7 +182,8 @@ TEST(Outputs, AovsAreChannelsOfTheExr) {
 TEST(Outputs, BitsAndQualityGoToTheFormatsThatHaveThem) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.json", native_scene());
-    render({scene, "--bits", "16,half", "--quality", "50", "-o", folder.path("a.png"), "-o", folder.path("b.exr"), "-o", folder.path("c.jpg")});
+    render_quietly(
+        {scene, "--bits", "16,half", "--quality", "50", "-o", folder.path("a.png"), "-o", folder.path("b.exr"), "-o", folder.path("c.jpg")});
     EXPECT_EQ(read_stored(folder.path("a.png")).spec.format, OIIO::TypeDesc::UINT16);
     EXPECT_EQ(read_stored(folder.path("b.exr")).spec.format, OIIO::TypeDesc::HALF);
     for (const auto &arguments : {std::vector<std::string>{"--bits", "half"}, {"--bits", "12"}, {"--quality", "50"}, {"--quality", "101"}}) {
@@ -205,14 +200,14 @@ TEST(Outputs, AutomaticExposureSaysWhatItChose) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.json", native_scene());
     const Finished run = run_program({"render", "--quiet", scene, "--exposure", "auto", "--tone", "filmic", "-o", folder.path("a.png")});
-    ASSERT_EQ(run.status, 0) << run.err;
+    expect_success(run);
     ASSERT_TRUE(run.err.starts_with("exposure: --exposure ")) << run.err;
     const std::string chosen = run.err.substr(21, run.err.size() - 22);
-    render({scene, "--exposure", chosen, "--tone", "filmic", "-o", folder.path("b.png")});
+    render_quietly({scene, "--exposure", chosen, "--tone", "filmic", "-o", folder.path("b.png")});
     EXPECT_EQ(read_stored(folder.path("a.png")).values, read_stored(folder.path("b.png")).values);
     EXPECT_EQ(read_stored(folder.path("a.png")).text("brandung:exposure"), chosen);
     EXPECT_EQ(read_stored(folder.path("a.png")).text("brandung:tone"), "filmic");
-    render({scene, "--exposure", "-3", "-o", folder.path("b.png")});
+    render_quietly({scene, "--exposure", "-3", "-o", folder.path("b.png")});
     EXPECT_NE(read_stored(folder.path("a.png")).values, read_stored(folder.path("b.png")).values);
 }
 
@@ -235,6 +230,6 @@ TEST(Outputs, PicturesSoFarAreSavedWhileRendering) {
 TEST(Outputs, AnOldPictureIsReplaced) {
     const TemporaryFolder folder;
     const std::string out = folder.write("out.exr", "old");
-    render({folder.write("scene.json", native_scene()), "-o", out});
+    render_quietly({folder.write("scene.json", native_scene()), "-o", out});
     EXPECT_EQ(read_stored(out).spec.width, 32);
 }

@@ -7,24 +7,13 @@
 #include <sstream>
 
 #include "scene/image.h"
-#include "tests/tools/program.h"
+#include "tests/tools/runs.h"
 #include "tests/tools/scenes.h"
 
 namespace {
 
 using namespace brandung;
 using nlohmann::json;
-
-void expect_success(const Finished &run) {
-    EXPECT_EQ(run.status, 0) << "signal " << run.signal << (run.timed_out ? ", timed out\n" : "\n") << run.err;
-}
-
-/// Runs `brandung render SCENE ARGUMENTS...` on a small native scene in `folder`.
-Finished render(const TemporaryFolder &folder, const std::vector<std::string> &arguments) {
-    std::vector<std::string> all = {"render", folder.write("scene.json", native_scene())};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    return run_program(all);
-}
 
 }  // namespace
 
@@ -110,7 +99,7 @@ TEST(Cli, InfoTakesTheOptionsOfRender) {
                              info_arguments = {"info", folder.path("scene.json"), "--json"};
     render_arguments.insert(render_arguments.end(), options.begin(), options.end());
     info_arguments.insert(info_arguments.end(), options.begin(), options.end());
-    expect_success(render(folder, render_arguments));
+    expect_success(render_native(folder, render_arguments));
     const Finished run = run_program(info_arguments);
     expect_success(run);
     const json info = json::parse(run.out), rendered = json::parse(read_file(stats));
@@ -139,7 +128,7 @@ TEST(Cli, MoreThanEightMediaAreMentioned) {
 
 TEST(Cli, RenderWritesNothingButMessagesToStandardError) {
     const TemporaryFolder folder;
-    const Finished run = render(folder, {"-o", folder.path("out.exr")});
+    const Finished run = render_native(folder, {"-o", folder.path("out.exr")});
     expect_success(run);
     EXPECT_EQ(run.out, "");
     EXPECT_NE(run.err.find("memory: scene"), std::string::npos) << run.err;
@@ -149,7 +138,7 @@ TEST(Cli, RenderWritesNothingButMessagesToStandardError) {
 
 TEST(Cli, QuietRenderSaysNothing) {
     const TemporaryFolder folder;
-    const Finished run = render(folder, {"-o", folder.path("out.exr"), "--quiet"});
+    const Finished run = render_native(folder, {"-o", folder.path("out.exr"), "--quiet"});
     expect_success(run);
     EXPECT_EQ(run.out, "");
     EXPECT_EQ(run.err, "");
@@ -157,7 +146,7 @@ TEST(Cli, QuietRenderSaysNothing) {
 
 TEST(Cli, ExplainSaysWhatIsUsedAndWhatIsSkippedAndWhy) {
     const TemporaryFolder folder;
-    const Finished run = render(folder, {"-o", folder.path("out.exr"), "--quiet", "--explain"});
+    const Finished run = render_native(folder, {"-o", folder.path("out.exr"), "--quiet", "--explain"});
     expect_success(run);
     EXPECT_NE(run.out.find("uses    primitive sphere\n"), std::string::npos) << run.out;
     EXPECT_NE(run.out.find("uses    accelerator wide_bvh\n"), std::string::npos) << run.out;
@@ -211,11 +200,12 @@ TEST(Cli, NegativeRadiusInNffShowsTheInsideOnly) {
 TEST(Cli, OptionsAreSettingsOfTheScene) {
     const TemporaryFolder folder;
     const std::string stats = folder.path("stats.json");
-    expect_success(render(folder, {"-o", folder.path("a.exr"), "--quiet", "--size", "20x10", "--spp", "4", "--seed", "7", "--max-depth", "3",
-                                   "--accelerator", "none", "--integrator", "whitted", "--stats", stats}));
+    expect_success(render_native(folder, {"-o", folder.path("a.exr"), "--quiet", "--size", "20x10", "--spp", "4", "--seed", "7", "--max-depth", "3",
+                                          "--accelerator", "none", "--integrator", "whitted", "--stats", stats}));
     const json by_option = json::parse(read_file(stats));
-    expect_success(render(folder, {"-o", folder.path("b.exr"), "--quiet", "--set", "film.width=20", "--set", "film.height=10", "--set", "film.spp=4",
-                                   "--set", "film.seed=7", "--set", "integrator.max_depth=3", "--set", "accelerator=none", "--stats", stats}));
+    expect_success(
+        render_native(folder, {"-o", folder.path("b.exr"), "--quiet", "--set", "film.width=20", "--set", "film.height=10", "--set", "film.spp=4",
+                               "--set", "film.seed=7", "--set", "integrator.max_depth=3", "--set", "accelerator=none", "--stats", stats}));
     const json by_setting = json::parse(read_file(stats));
     for (const char *name : {"width", "height", "spp", "seed", "accelerator", "integrator", "rays"})
         EXPECT_EQ(by_option.at(name), by_setting.at(name));
@@ -230,7 +220,7 @@ TEST(Cli, OptionsAreSettingsOfTheScene) {
 TEST(Cli, SetReachesIntoArraysOfTheScene) {
     const TemporaryFolder folder;
     const Finished run =
-        render(folder, {"-o", folder.path("out.exr"), "--quiet", "--set", "objects.0.radius=1000", "--stats", folder.path("s.json")});
+        render_native(folder, {"-o", folder.path("out.exr"), "--quiet", "--set", "objects.0.radius=1000", "--stats", folder.path("s.json")});
     expect_success(run);
     EXPECT_EQ(json::parse(read_file(folder.path("s.json"))).at("rays").at("camera_hits"), 32 * 24) << "the eye is inside the sphere";
 }
@@ -286,7 +276,7 @@ INSTANTIATE_TEST_SUITE_P(Cli, ExampleScene, testing::ValuesIn(example_names()), 
 
 TEST(Cli, MoreThreadsThanComputeUnitsAreMentioned) {
     const TemporaryFolder folder;
-    const Finished run = render(folder, {"-o", folder.path("out.png"), "--quiet", "--threads", "9999"});
+    const Finished run = render_native(folder, {"-o", folder.path("out.png"), "--quiet", "--threads", "9999"});
     expect_success(run);
     EXPECT_TRUE(run.err.starts_with("warning: --threads 9999: '")) << run.err;
 }

@@ -1,17 +1,11 @@
 /// Sequences of pictures: what belongs to each picture, and what to all of them.
 #include <gtest/gtest.h>
 
-#include "tests/tools/program.h"
+#include "tests/tools/runs.h"
 #include "tests/tools/scenes.h"
 #include "tests/tools/stored_picture.h"
 
 namespace {
-
-void render(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"render", "--quiet"});
-    const Finished run = run_program(arguments);
-    ASSERT_EQ(run.status, 0) << run.err;
-}
 
 float middle_of(const std::string &file, const char *channel) {
     const StoredPicture picture = read_stored(file);
@@ -23,8 +17,8 @@ float middle_of(const std::string &file, const char *channel) {
 /// sphere.
 TEST(Turntable, LengthsReachAsFarAsItsCamerasAre) {
     const TemporaryFolder folder;
-    render({folder.write("scene.json", native_scene()), "--aov", "depth,position", "--at", "0,0,-150", "--fov", "1", "--turntable", "2", "-o",
-            folder.path("t.exr")});
+    render_quietly({folder.write("scene.json", native_scene()), "--aov", "depth,position", "--at", "0,0,-150", "--fov", "1", "--turntable", "2", "-o",
+                    folder.path("t.exr")});
     EXPECT_NEAR(middle_of(folder.path("t_000.exr"), "depth.Z"), 3, 0.01);
     EXPECT_NEAR(middle_of(folder.path("t_001.exr"), "depth.Z"), 303, 0.05);
     EXPECT_NEAR(middle_of(folder.path("t_001.exr"), "P.Z"), -1, 0.05);
@@ -35,8 +29,8 @@ TEST(Turntable, AutomaticExposureIsThatOfTheFirstPicture) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.json", native_scene());
     const Finished run = run_program({"render", "--quiet", scene, "--exposure", "auto", "--turntable", "2", "-o", folder.path("t.png")});
-    ASSERT_EQ(run.status, 0) << run.err;
-    render({scene, "--exposure", "auto", "-o", folder.path("first.png")});
+    expect_success(run);
+    expect_success(run_program({"render", "--quiet", scene, "--exposure", "auto", "-o", folder.path("first.png")}));
     const std::string exposure = read_stored(folder.path("first.png")).text("brandung:exposure");
     EXPECT_EQ(run.err, "exposure: --exposure " + exposure + ", which the first picture has chosen\n");
     EXPECT_EQ(read_stored(folder.path("t_000.png")).values, read_stored(folder.path("first.png")).values);

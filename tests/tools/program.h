@@ -17,8 +17,8 @@ struct Finished {
 struct RunOptions {
     double seconds = 120;  ///< after which it is killed
     std::map<std::string, std::string> environment;
-    /// Called over and over while it runs, some 50 ms apart or less, with all that it has written to standard error so far, until `signals` were sent:
-    /// a signal to send now, or 0.
+    /// Called over and over while it runs, some 50 ms apart or less, with all that it has written to standard error so far, until `signals` were
+    /// sent: a signal to send now, or 0.
     std::function<int(const std::string &err)> signal_when;
     int signals = 1;               ///< so many are sent at most, with 0.2 s between them
     std::size_t largest_file = 0;  ///< [bytes] that it may write to a file, as if the disk were full; 0 for no limit
