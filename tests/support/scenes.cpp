@@ -49,6 +49,12 @@ uint add_material(Scene &scene, const Material &material) {
     return uint(scene.materials.size() - 1);
 }
 
+Scene empty_scene() {
+    Scene scene;
+    add_material(scene, matte(0.5f));
+    return scene;
+}
+
 void add_triangle(Scene &scene, uint material, vec3 a, vec3 b, vec3 c) {
     add_triangle_mesh(scene, material, MeshData{.positions = {a, b, c}, .indices = {0, 1, 2}});
 }

@@ -35,6 +35,8 @@ Light spot_light(vec3 position, vec3 at, Spectrum intensity, double angle, doubl
 
 /// Adds a material and gives its index.
 uint add_material(Scene &scene, const Material &material);
+/// Has a matte material, number 0, and nothing else.
+Scene empty_scene();
 void add_triangle(Scene &scene, uint material, vec3 a, vec3 b, vec3 c);
 /// Its shading normals are those of a sphere about `center`.
 void add_smooth_triangle(Scene &scene, uint material, vec3 a, vec3 b, vec3 c, vec3 center);

@@ -10,12 +10,6 @@
 namespace brandung {
 namespace {
 
-Scene empty_scene() {
-    Scene scene;
-    add_material(scene, matte(0.5f));
-    return scene;
-}
-
 /// Moves what has been added so far to a group.
 uint make_group(Scene &scene) { return add_group(scene, std::to_string(scene.groups.size()), std::exchange(scene.shapes, {})); }
 
