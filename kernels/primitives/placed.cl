@@ -2,6 +2,7 @@
 #pragma once
 #include "generated/constants.h"
 #include "generated/instances.cl"
+#include "kernels/core/spawn.cl"
 #include "kernels/primitives/primitive.cl"
 
 FUNCTION Surface surface_of(Scene scene, Ray ray, PlacedHit hit) {
@@ -19,6 +20,15 @@ FUNCTION bool is_flat(Scene scene, PlacedHit hit) {
 FUNCTION bool coincide(Surface a, Surface b) {
     const vec3 n = absolute(a.geometric);
     return fabs(dot3(a.geometric, minus(b.p, a.p))) <= dot3(n, plus(a.error, b.error));
+}
+
+/// The ray straight on from behind the surface that it has met, to the end that it had.
+FUNCTION Ray ray_behind(Ray ray, PlacedHit met, Surface surface) {
+    const vec3 onward = scaled(surface.geometric, dot3(surface.geometric, ray.direction) < 0.0f ? -1.0f : 1.0f);
+    ray.origin = spawn_origin(surface.p, scaled(onward, dot3(absolute(onward), surface.error)));
+    ray.t_max -= met.hit.t;
+    ray.tag = RAY_TAG(RAY_KIND(ray.tag), met.hit.primitive);
+    return ray;
 }
 
 FUNCTION uint material_index_of(Scene scene, PlacedHit hit) {

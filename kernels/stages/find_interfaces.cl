@@ -13,15 +13,15 @@ kernel void find_interfaces(SCENE_PARAMS, LIVE_PARAMS, global Ray *restrict rays
     Tally tally = {{0u}, {0u}};
     FOR_EACH_ITEM_SERIALLY(i, count) {
         const uint k = live[first + i];
-        Crossing crossing =
-            crossing_of(rays[k], instance_at(sources, k), placed(hits[i], instance_at(instances, i)), crowded[i] != 0, interior_load(interiors, k));
-        cross_to_interface(scene, &crossing, lost, &tally, 0);
-        rays[k] = crossing.ray;
-        hits[i] = crossing.met.hit;
-        store_instance(sources, k, crossing.source_instance), store_instance(instances, i, instance_of(crossing.met));
-        interior_store(interiors, k, crossing.inside);
-        interior_store(beyond, i, crossing.behind);
-        etas[i] = crossing.eta;
+        Passage passage =
+            passage_of(rays[k], instance_at(sources, k), placed(hits[i], instance_at(instances, i)), crowded[i] != 0, interior_load(interiors, k));
+        cross_to_interface(scene, &passage, lost, &tally, 0);
+        rays[k] = passage.ray;
+        hits[i] = passage.met.hit;
+        store_instance(sources, k, passage.source_instance), store_instance(instances, i, instance_of(passage.met));
+        interior_store(interiors, k, passage.inside);
+        interior_store(beyond, i, passage.behind);
+        etas[i] = passage.eta;
     }
     tallies[get_global_id(0)] = tally;
 }

@@ -2,7 +2,6 @@
 #pragma once
 #include "generated/interior.cl"
 #include "kernels/accelerators/levels.cl"
-#include "kernels/core/spawn.cl"
 #include "kernels/primitives/placed.cl"
 #include "kernels/stages/face_list.cl"
 
@@ -85,53 +84,51 @@ typedef struct {
     bool crowded;             ///< whether `met` has company
     Interior inside, behind;  ///< the media before and behind `met`
     float eta;                ///< index of refraction before it over that behind; at an opaque surface, over the material's
-} Crossing;
+} Passage;
 
 /// Sees what is on both sides of `met`. False where it is no interface, because the medium that counts stays.
-FUNCTION bool is_interface(Scene scene, Crossing *crossing, volatile global uint *lost) {
+FUNCTION bool is_interface(Scene scene, Passage *passage, volatile global uint *lost) {
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
-    const HitList list = hits_at(scene, crossing->ray, crossing->source_instance, crossing->met, crossing->crowded);
-    crossing->met = foremost(scene, &list);
-    if (!transmits(scene, crossing->met)) {
-        crossing->eta = interior_medium(crossing->inside, materials).eta / material_of(scene, crossing->met)->eta;
+    const HitList list = hits_at(scene, passage->ray, passage->source_instance, passage->met, passage->crowded);
+    passage->met = foremost(scene, &list);
+    if (!transmits(scene, passage->met)) {
+        passage->eta = interior_medium(passage->inside, materials).eta / material_of(scene, passage->met)->eta;
         return true;
     }
     Face faces[HIT_LIST_SIZE];
-    cross_faces(faces, faces_of(scene, crossing->ray, &list, faces), &crossing->inside, &crossing->behind, lost);
-    const Medium here = interior_medium(crossing->inside, materials), there = interior_medium(crossing->behind, materials);
-    crossing->eta = here.eta / there.eta;
+    cross_faces(faces, faces_of(scene, passage->ray, &list, faces), &passage->inside, &passage->behind, lost);
+    const Medium here = interior_medium(passage->inside, materials), there = interior_medium(passage->behind, materials);
+    passage->eta = here.eta / there.eta;
     return here.entry != there.entry;
 }
 
 /// Goes straight on behind `met`, to what is next.
-FUNCTION void pass_on(Scene scene, Crossing *crossing, FaceList *passed) {
-    const Surface surface = surface_of(scene, crossing->ray, crossing->met);
-    const bool enters = dot3(surface.geometric, crossing->ray.direction) < 0.0f;
-    if (passed) face_list_add(passed, crossing->met, surface.p, enters, make3(1.0f, 1.0f, 1.0f));
-    const vec3 onward = scaled(surface.geometric, enters ? -1.0f : 1.0f);
-    crossing->ray.origin = spawn_origin(surface.p, scaled(onward, dot3(absolute(onward), surface.error)));
-    crossing->ray.tag = RAY_TAG(RAY_KIND(crossing->ray.tag), crossing->met.hit.primitive);
-    crossing->source_instance = instance_of(crossing->met);
-    crossing->inside = crossing->behind;
-    const Nearest nearest = scene_closest_hit(scene, crossing->ray, crossing->source_instance);
-    crossing->met = closest_of(nearest);
-    crossing->crowded = is_crowded(nearest);
+FUNCTION void pass_on(Scene scene, Passage *passage, FaceList *passed) {
+    const Surface surface = surface_of(scene, passage->ray, passage->met);
+    const bool enters = dot3(surface.geometric, passage->ray.direction) < 0.0f;
+    if (passed) face_list_add(passed, passage->met, surface.p, enters, make3(1.0f, 1.0f, 1.0f));
+    passage->ray = ray_behind(passage->ray, passage->met, surface);
+    passage->source_instance = instance_of(passage->met);
+    passage->inside = passage->behind;
+    const Nearest nearest = scene_closest_hit(scene, passage->ray, passage->source_instance);
+    passage->met = closest_of(nearest);
+    passage->crowded = is_crowded(nearest);
 }
 
 /// Follows a ray, from what it meets first on, to the first interface; `tally` counts what it does on its way with refracted rays.
-FUNCTION void cross_to_interface(Scene scene, Crossing *crossing, volatile global uint *lost, Tally *tally, FaceList *passed) {
-    while (crossing->met.hit.primitive != NO_HIT && !is_interface(scene, crossing, lost)) {
-        pass_on(scene, crossing, passed);
+FUNCTION void cross_to_interface(Scene scene, Passage *passage, volatile global uint *lost, Tally *tally, FaceList *passed) {
+    while (passage->met.hit.primitive != NO_HIT && !is_interface(scene, passage, lost)) {
+        pass_on(scene, passage, passed);
         tally->rays[RAY_REFRACTED] += 1u;
-        tally->hits[RAY_REFRACTED] += crossing->met.hit.primitive != NO_HIT;
+        tally->hits[RAY_REFRACTED] += passage->met.hit.primitive != NO_HIT;
     }
 }
 
 /// Of a ray in the media `inside`.
-FUNCTION Crossing crossing_of(Ray ray, uint source_instance, PlacedHit met, bool crowded, Interior inside) {
-    Crossing crossing;
-    crossing.ray = ray, crossing.source_instance = source_instance;
-    crossing.met = met, crossing.crowded = crowded;
-    crossing.inside = inside, crossing.behind = inside, crossing.eta = 1.0f;
-    return crossing;
+FUNCTION Passage passage_of(Ray ray, uint source_instance, PlacedHit met, bool crowded, Interior inside) {
+    Passage passage;
+    passage.ray = ray, passage.source_instance = source_instance;
+    passage.met = met, passage.crowded = crowded;
+    passage.inside = inside, passage.behind = inside, passage.eta = 1.0f;
+    return passage;
 }

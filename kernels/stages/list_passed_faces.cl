@@ -9,10 +9,10 @@ kernel void list_passed_faces(SCENE_PARAMS, const global Ray *restrict rays, con
     const Scene scene = SCENE;
     FOR_EACH_ITEM_SERIALLY(i, count) {
         const Nearest nearest = scene_closest_hit(scene, rays[i], instance_at(sources, i));
-        Crossing crossing = crossing_of(rays[i], instance_at(sources, i), closest_of(nearest), is_crowded(nearest), interior_load(interiors, i));
+        Passage passage = passage_of(rays[i], instance_at(sources, i), closest_of(nearest), is_crowded(nearest), interior_load(interiors, i));
         FaceList passed = {faces + i * capacity, capacity, 0u, rays[i]};
         Tally tally = {{0u}, {0u}};
-        cross_to_interface(scene, &crossing, lost, &tally, &passed);
+        cross_to_interface(scene, &passage, lost, &tally, &passed);
         counts[i] = passed.count;
     }
 }

@@ -4,7 +4,6 @@
 #include "kernels/bsdfs/bsdf.cl"
 #include "kernels/core/load.cl"
 #include "kernels/core/refraction.cl"
-#include "kernels/core/spawn.cl"
 #include "kernels/primitives/placed.cl"
 #include "kernels/stages/face_list.cl"
 
@@ -30,15 +29,6 @@ FUNCTION Pane pane_at(Scene scene, Ray ray, PlacedHit hit) {
 
 /// Neighbours in a mesh that share the edge which the ray meets are one.
 FUNCTION bool are_one(Pane a, Pane b) { return a.material == b.material && a.enters == b.enters && coincide(a.surface, b.surface); }
-
-/// The ray, straight on behind a face that it has met.
-FUNCTION Ray ray_behind(Ray ray, PlacedHit hit, Pane pane) {
-    const vec3 onward = scaled(pane.surface.geometric, pane.enters ? -1.0f : 1.0f);
-    ray.origin = spawn_origin(pane.surface.p, scaled(onward, dot3(absolute(onward), pane.surface.error)));
-    ray.t_max -= hit.hit.t;
-    ray.tag = RAY_TAG(RAY_SHADOW, hit.hit.primitive);
-    return ray;
-}
 
 /// The product of all faces' transmissions, in the order of (t, instance, primitive), as any accelerator finds them. `passed` ends with the face that
 /// takes the rest of the light, if one does. Of what a ray can cross twice a list of hits has but the first crossing: it is good up to the first such
@@ -66,6 +56,6 @@ FUNCTION Spectrum transmission_along(Scene scene, Ray ray, uint source_instance,
         }
         if ((all && flat) || largest(light) <= 0.0f) return light;
         source_instance = instance_of(list.hits[from]);
-        ray = ray_behind(ray, list.hits[from], behind);
+        ray = ray_behind(ray, list.hits[from], behind.surface);
     }
 }
