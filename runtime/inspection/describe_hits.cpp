@@ -34,13 +34,11 @@ void describe_lights(Device &device, const DeviceScene &scene, const std::vector
     std::vector<TracedLight *> silent;
     std::vector<SurfacePoint> points;
     std::vector<uint> branches, rows;
-    for (TracedRay *ray : traced)
-        for (TracedLightBlock &block : ray->lights)
-            for (TracedLight &light : block.lights) {
-                if (light.asked) continue;
-                silent.push_back(&light), points.push_back(ray->point);
-                branches.push_back(ray->path.branch), rows.push_back(light.row);
-            }
+    for_each_light(traced, [&](const TracedRay &ray, TracedLight &light) {
+        if (light.asked) return;
+        silent.push_back(&light), points.push_back(ray.point);
+        branches.push_back(ray.path.branch), rows.push_back(light.row);
+    });
     if (silent.empty()) return;
 
     Kernel describe(device, "kernels/stages/describe_lights.cl", "describe_lights", scene.lists());
@@ -57,11 +55,9 @@ void find_blockers(Device &device, const DeviceScene &scene, const std::vector<T
     std::vector<TracedLight *> blocked;
     std::vector<Ray> rays;
     std::vector<uint> sources;
-    for (TracedRay *ray : traced)
-        for (TracedLightBlock &block : ray->lights)
-            for (TracedLight &light : block.lights)
-                if (light.asked && !light.visible && !light.filter)
-                    blocked.push_back(&light), rays.push_back(light.ray), sources.push_back(ray->instance);
+    for_each_light(traced, [&](const TracedRay &ray, TracedLight &light) {
+        if (light.asked && !light.visible && !light.filter) blocked.push_back(&light), rays.push_back(light.ray), sources.push_back(ray.instance);
+    });
     if (blocked.empty()) return;
 
     const std::size_t count = rays.size();

@@ -64,10 +64,9 @@ void list_shadow_faces(Device &device, const DeviceScene &scene, const std::vect
     std::vector<TracedLight *> filtered;
     std::vector<Ray> rays;
     std::vector<uint> sources;
-    for (TracedRay *ray : traced)
-        for (TracedLightBlock &block : ray->lights)
-            for (TracedLight &light : block.lights)
-                if (light.filter) filtered.push_back(&light), rays.push_back(light.ray), sources.push_back(ray->instance);
+    for_each_light(traced, [&](const TracedRay &ray, TracedLight &light) {
+        if (light.filter) filtered.push_back(&light), rays.push_back(light.ray), sources.push_back(ray.instance);
+    });
     if (filtered.empty()) return;
 
     Kernel list(device, "kernels/stages/list_shadow_faces.cl", "list_shadow_faces", scene.lists());

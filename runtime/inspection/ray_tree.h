@@ -85,6 +85,12 @@ private:
 
 /// All rays of trees.
 std::vector<TracedRay *> all_rays(std::vector<TracedRay> &trees);
+/// visit(ray, light) for every light of these rays.
+template <class Visit> void for_each_light(const std::vector<TracedRay *> &rays, const Visit &visit) {
+    for (TracedRay *ray : rays)
+        for (TracedLightBlock &block : ray->lights)
+            for (TracedLight &light : block.lights) visit(*ray, light);
+}
 
 /// A contribution as it is added to a sample: per channel, in units of 2^-32. Nothing of one that is not finite is.
 using FixedPoint = std::array<std::int64_t, 3>;
