@@ -3,37 +3,32 @@
 namespace brandung {
 namespace {
 
-using IsSuch = bool (*)(const Material &);
+bool shines(const Scene &scene, uint material) { return scene.materials[material].record.emission != Spectrum(0); }
 
-std::vector<const Shape *> such_of(const Scene &scene, const std::vector<std::unique_ptr<Shape>> &shapes, IsSuch is_such) {
+/// By their own materials.
+std::vector<const Shape *> shining(const Scene &scene, const std::vector<std::unique_ptr<Shape>> &shapes) {
     std::vector<const Shape *> result;
     for (const auto &shape : shapes)
-        if (is_such(scene.materials[shape->material].record)) result.push_back(shape.get());
+        if (shines(scene, shape->material)) result.push_back(shape.get());
     return result;
 }
 
 }  // namespace
 
-std::vector<PlacedShape> shapes_made_of(const Scene &scene, IsSuch is_such) {
+std::vector<PlacedShape> emissive_shapes(const Scene &scene) {
     std::vector<PlacedShape> result;
-    for (const Shape *shape : such_of(scene, scene.shapes, is_such)) result.push_back({shape, 0, shape->material});
-    std::vector<std::vector<const Shape *>> of_groups;  // where their materials are their own
-    for (const NamedGroup &group : scene.groups) of_groups.push_back(such_of(scene, group.shapes, is_such));
+    for (const Shape *shape : shining(scene, scene.shapes)) result.push_back({shape, 0, shape->material});
+    std::vector<std::vector<const Shape *>> of_groups;
+    for (const NamedGroup &group : scene.groups) of_groups.push_back(shining(scene, group.shapes));
     for (uint i = 0; i < scene.instances.size(); ++i) {
         const PlacedGroup &placed = scene.instances[i];
         if (placed.material == NO_MATERIAL) {
             for (const Shape *shape : of_groups[placed.group]) result.push_back({shape, i + 1, shape->material});
-        } else if (is_such(scene.materials[placed.material].record)) {
+        } else if (shines(scene, placed.material)) {
             for (const auto &shape : scene.groups[placed.group].shapes) result.push_back({shape.get(), i + 1, placed.material});
         }
     }
     return result;
-}
-
-Bounds bounds_of(const Scene &scene, const PlacedShape &placed) {
-    Bounds bounds;
-    for (std::size_t i = 0; i < placed.shape->count(); ++i) bounds.add(placed.shape->bounds(i));
-    return placed.instance == 0 ? bounds : bounds_in_world(scene.instances[placed.instance - 1].transforms, bounds);
 }
 
 }  // namespace brandung

@@ -12,12 +12,7 @@ struct PlacedShape {
     uint material = NO_MATERIAL;  ///< that of the instance, if it has one, else the shape's own
 };
 
-inline bool is_emissive(const Material &material) { return material.emission != Spectrum(0); }
-
-/// Those whose material is such, in scene order, the world's first.
-std::vector<PlacedShape> shapes_made_of(const Scene &scene, bool (*is_such)(const Material &));
-
-/// A box around it in the world.
-Bounds bounds_of(const Scene &scene, const PlacedShape &placed);
+/// Those that shine, in scene order, the world's first.
+std::vector<PlacedShape> emissive_shapes(const Scene &scene);
 
 }  // namespace brandung

@@ -44,9 +44,12 @@ bool is_linear(const OIIO::ImageSpec &spec) {
 }
 
 /// What the stored values of integers up to `largest` are in linear light.
-std::vector<float> linear_values(uint largest) {
-    std::vector<float> values(largest + 1);
-    for (uint i = 0; i <= largest; ++i) values[i] = srgb_decoded(float(double(i) / largest));
+template <uint largest> const std::vector<float> &linear_values() {
+    static const std::vector<float> values = [] {
+        std::vector<float> values(largest + 1);
+        for (uint i = 0; i <= largest; ++i) values[i] = srgb_decoded(float(double(i) / largest));
+        return values;
+    }();
     return values;
 }
 
@@ -57,7 +60,7 @@ void decode(const OIIO::ImageSpec &spec, std::vector<vec3> &pixels) {
         for (vec3 &pixel : pixels) pixel = {srgb_decoded(pixel.x), srgb_decoded(pixel.y), srgb_decoded(pixel.z)};
         return;
     }
-    const std::vector<float> linear = linear_values(bytes ? 0xff : 0xffff);
+    const std::vector<float> &linear = bytes ? linear_values<0xff>() : linear_values<0xffff>();
     const float largest = float(linear.size() - 1);
     for (vec3 &pixel : pixels)
         for (int c = 0; c < 3; ++c) pixel[c] = linear[std::size_t(pixel[c] * largest + 0.5f)];

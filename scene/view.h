@@ -29,7 +29,7 @@ std::string view_options(const CameraDescription &camera);
 
 /// A point turned by an angle [radians] around the axis through the camera's `at` along its `up`, counterclockwise as seen from above.
 vec3 turned(vec3 p, const CameraDescription &camera, double angle);
-/// The camera turned around itself.
+/// The camera itself, turned so.
 CameraDescription turned(const CameraDescription &camera, double angle);
 
 }  // namespace brandung

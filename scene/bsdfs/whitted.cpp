@@ -4,23 +4,21 @@
 #include "scene/parameters.h"
 #include "scene/scene.h"
 #include "scene/textures/textured.h"
+#include "scene/vectors.h"
 
 namespace brandung {
 namespace {
 
 constexpr uint max_priority = 1u << 24;
 
-bool any_positive(Spectrum s) { return s.x > 0 || s.y > 0 || s.z > 0; }
-bool any_above_one(Spectrum s) { return s.x > 1 || s.y > 1 || s.z > 1; }
-
 }  // namespace
 
 Material make_material(const Whitted &whitted) {
     Material material{};
     material.kind = kind_number(bsdf_kinds(), "whitted");
-    material.flags = (any_positive(whitted.reflection) ? MATERIAL_REFLECTS : 0) | (any_positive(whitted.transmission) ? MATERIAL_TRANSMITS : 0) |
-                     (any_positive(whitted.diffuse) || any_positive(whitted.specular) ? MATERIAL_LIT : 0) |
-                     (any_positive(whitted.specular) ? MATERIAL_HIGHLIGHT : 0);
+    material.flags = (largest(whitted.reflection) > 0 ? MATERIAL_REFLECTS : 0) | (largest(whitted.transmission) > 0 ? MATERIAL_TRANSMITS : 0) |
+                     (largest(whitted.diffuse) > 0 || largest(whitted.specular) > 0 ? MATERIAL_LIT : 0) |
+                     (largest(whitted.specular) > 0 ? MATERIAL_HIGHLIGHT : 0);
     material.eta = 1;
     write_words(whitted, material.words);
     return material;
@@ -32,7 +30,7 @@ Material read_whitted(const Parameters &parameters, Scene &scene) {
     const TexturedSpectrum specular = read_textured(parameters, "specular", Spectrum(0), scene);
     whitted.diffuse = diffuse.value;
     // Of a texture the value is a factor, which may brighten a dark picture.
-    if (diffuse.texture == 0 && any_above_one(diffuse.value))
+    if (diffuse.texture == 0 && largest(diffuse.value) > 1)
         ++scene.warnings["diffuse reflectance above 1: more light leaves than arrives; colours are from 0 to 1"];
     whitted.ambient = parameters.spectrum("ambient", whitted.diffuse);
     whitted.specular = specular.value;

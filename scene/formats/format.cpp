@@ -7,6 +7,7 @@
 
 #include "scene/error.h"
 #include "scene/input.h"
+#include "scene/vectors.h"
 
 namespace brandung {
 
@@ -18,12 +19,11 @@ Scene read_ply_scene(const std::string &file, const ReadOptions &options);
 namespace {
 
 bool is_dark(const Scene &scene) {
-    const auto any = [](Spectrum s) { return s.x > 0 || s.y > 0 || s.z > 0; };
     const auto shines = [&](const NamedMaterial &material) {
-        const bool shows_background = (material.record.flags & (MATERIAL_REFLECTS | MATERIAL_TRANSMITS)) != 0 && any(scene.background);
-        return any(material.record.emission) || shows_background;
+        const bool shows_background = (material.record.flags & (MATERIAL_REFLECTS | MATERIAL_TRANSMITS)) != 0 && largest(scene.background) > 0;
+        return largest(material.record.emission) > 0 || shows_background;
     };
-    return scene.lights.empty() && !any(scene.ambient) && std::none_of(scene.materials.begin(), scene.materials.end(), shines);
+    return scene.lights.empty() && largest(scene.ambient) == 0 && std::none_of(scene.materials.begin(), scene.materials.end(), shines);
 }
 
 /// What makes a picture that shows nothing, and is rarely meant.

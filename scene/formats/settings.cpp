@@ -12,6 +12,7 @@
 #include "scene/parameters.h"
 #include "scene/textures/textured.h"
 #include "scene/tone.h"
+#include "scene/warnings.h"
 
 namespace brandung {
 namespace {
@@ -105,6 +106,7 @@ void read_settings(const Parameters &root, Scene &scene) {
     std::vector<std::string> accelerators = {"auto"};
     for (const AcceleratorKind &kind : accelerator_kinds()) accelerators.emplace_back(kind.name);
     read_background(root, scene);
+    place_warnings(scene, [&] { return root.place("background"); });
     if (root.has("accelerator")) scene.accelerator = accelerators[root.choice("accelerator", accelerators)];
 }
 

@@ -16,7 +16,6 @@ class Parameters;
 struct LightKind {
     const char *name;                             ///< in scene files and as prefix of device functions
     const char *record;                           ///< its view of Light.words
-    bool has_position;                            ///< the view begins with it
     Light (*read)(const Parameters &parameters);  ///< null: made of emissive shapes
 };
 const std::vector<LightKind> &light_kinds();

@@ -25,7 +25,7 @@ LightRows make_light_rows(const Scene &scene) {
     lights.shapes.resize(scene.lights.size());
     for (const Light &light : scene.lights) ++lights.counts[light_kinds()[light.kind].name];
     if (!shows_light(scene)) return lights;
-    const std::vector<PlacedShape> emissive = shapes_made_of(scene, is_emissive);
+    const std::vector<PlacedShape> emissive = emissive_shapes(scene);
     const uint samples = scene.integrator.light_samples;
     if (samples == 0) {
         lights.dark = uint(emissive.size());

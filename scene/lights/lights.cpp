@@ -9,12 +9,12 @@ Light read_spot(const Parameters &parameters);
 
 const std::vector<LightKind> &light_kinds() {
     static const std::vector<LightKind> kinds = {
-        {"point", "PointLight", true, read_point},
-        {"directional", "DirectionalLight", false, read_directional},
-        {"spot", "SpotLight", true, read_spot},
-        {"emissive_mesh", "EmissiveMesh", false, nullptr},
-        {"emissive_sphere", "EmissiveSphere", false, nullptr},
-        {"emissive_frustum", "EmissiveFrustum", false, nullptr},
+        {"point", "PointLight", read_point},
+        {"directional", "DirectionalLight", read_directional},
+        {"spot", "SpotLight", read_spot},
+        {"emissive_mesh", "EmissiveMesh", nullptr},
+        {"emissive_sphere", "EmissiveSphere", nullptr},
+        {"emissive_frustum", "EmissiveFrustum", nullptr},
     };
     return kinds;
 }

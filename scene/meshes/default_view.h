@@ -12,13 +12,18 @@ namespace brandung {
 /// do not cancel out and which surrounds its middle but for the opening (a room without its front wall, a mask), is looked into instead, as its
 /// sides face, and fills the picture. Where floats have no place for it beside the meshes, it has no direction of view.
 /// `changes` are taken into account: the distance follows the angle of view.
-CameraDescription framing_camera(const std::vector<MeshPart> &parts, const FilmSettings &film, const ViewChanges &changes);
+struct Framing {
+    CameraDescription camera;
+    bool in_shell;  ///< whether it looks into one
+};
+Framing frame(const std::vector<MeshPart> &parts, const FilmSettings &film, const ViewChanges &changes);
 
 /// A light beside the camera, up to the left, so that shapes show; at the camera where that looks into a shell, so that nothing is in the shadow.
 /// It has the irradiance pi at every distance: a surface that faces it has its diffuse reflectance as radiance, whatever the scale.
-Light headlight(const std::vector<MeshPart> &parts, const CameraDescription &camera);
+Light headlight(const Framing &framing);
 
-/// Settings that suit most meshes, from which those of the command line differ: 16 samples per pixel, 2 x 2 points of each lamp.
+/// Settings that suit most meshes, from which those of the command line differ: samples per pixel, and the root of the number of points of each lamp.
+inline constexpr uint mesh_spp = 16, mesh_light_samples = 2;
 void set_default_quality(Scene &scene);
 
 /// Adds the camera; the headlight too, unless `parts`, the scene's meshes, light themselves: their emission must be sampled, and give a hundredth

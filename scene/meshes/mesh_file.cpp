@@ -41,7 +41,8 @@ Scene read_as_scene(const std::string &file, const ReadOptions &options, ReadPar
     assign_settings(options.assignments, scene);
     std::vector<MeshPart> parts = read(file, "", scene, options.progress);
     add_default_view(parts, options.view, scene);
-    for (MeshPart &part : parts) add_triangle_mesh(scene, part.material, std::move(part.mesh), before_numbers(file));
+    const std::string before = before_numbers(file);
+    for (MeshPart &part : parts) add_triangle_mesh(scene, part.material, std::move(part.mesh), before);
     check_view(scene, options.view);
     place_warnings(scene, [&] { return file; });
     return scene;
@@ -70,7 +71,6 @@ void check_mesh_file(const std::string &file) {
 }
 
 std::vector<MeshPart> read_mesh_file(const std::string &file, const MaterialPrefix &prefix, Scene &scene, const ReadProgress &progress) {
-    check_mesh_file(file);
     return reader_of(file)(file, prefix, scene, progress);
 }
 

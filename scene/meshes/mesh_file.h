@@ -25,7 +25,7 @@ using MaterialPrefix = std::optional<std::string>;
 std::vector<MeshPart> read_obj(const std::string &file, const MaterialPrefix &prefix, Scene &scene, const ReadProgress &progress);
 std::vector<MeshPart> read_ply(const std::string &file, const MaterialPrefix &prefix, Scene &scene, const ReadProgress &progress);
 
-/// One of the two, by the file's extension. Throws SceneError.
+/// One of the two, by the file's extension. Throws SceneError, as check_mesh_file does before anything is read.
 std::vector<MeshPart> read_mesh_file(const std::string &file, const MaterialPrefix &prefix, Scene &scene, const ReadProgress &progress);
 /// Throws SceneError if the file cannot be read, or its extension is none of the two.
 void check_mesh_file(const std::string &file);

@@ -27,8 +27,9 @@ void read_mesh(const Parameters &parameters, uint material, Scene &scene) {
     const std::string name = parameters.text("file"), file = file_beside(scene, parameters, name);
     scene.files.push_back(file);
     const bool own = material == material_of_file;
+    const std::string before = before_numbers(file);
     for (MeshPart &part : read_mesh_file(file, own ? MaterialPrefix(name + ":") : std::nullopt, scene, parameters.progress()))
-        add_triangle_mesh(scene, own ? part.material : material, std::move(part.mesh), before_numbers(file));
+        add_triangle_mesh(scene, own ? part.material : material, std::move(part.mesh), before);
 }
 
 }  // namespace brandung

@@ -24,22 +24,11 @@ struct MtlMaterial {
 /// In the order of the file. Throws SceneError `file:line: why`; what cannot be used is a counted warning.
 std::vector<MtlMaterial> read_mtl(const std::string &file, std::map<std::string, uint> &warnings);
 
-/// Whitted's surface for a material, by this table; `warnings` counts what is doubtful. t is the share that passes glass: 1 - d where d < 1, else 1.
-///
-/// | statement | becomes |
-/// |---|---|
-/// | Kd | `diffuse` and `ambient`, linear Rec. 709; missing: 0.6. Ka is not used: it is often 0 or that of a light |
-/// | Ks, Ns | `specular`, `exponent` (at least 1; missing: 50); none with illum 0 and 1 |
-/// | map_Kd, map_Ks | textures by which `diffuse` and `specular` are multiplied, which are 1 where Kd or Ks is missing or 0 |
-/// | Ke | `emission` |
-/// | d, Tr = 1 - d | with illum 0 to 3, 5, 8: `transmission` 1 - d with `eta` 1, and all else times d. Of both, d counts |
-/// | illum 3, 5, 8 without Pm | mirror: `reflection` Ks, `diffuse` times 1 - Ks |
-/// | illum 4, 7, 9 | glass: `fresnel`, `reflection` 1, `transmission` t, `eta` Ni (missing: 1.5), `diffuse` times 1 - t |
-/// | illum 6 | the same without Fresnel's reflectance: `reflection` Ks |
-/// | Tf | filters what glass lets through: `transmission` t Tf; grey below 0.5 it is opacity, as 3ds Max writes it, and t is times 1 - Tf instead |
-/// | Pr, Pm | roughness r, metallic m, of which s = m (1 - r)^2 is sharp: `reflection` s Kd, `specular` from 0.04 to Kd by s, `exponent`
-/// (2 / r^4 - 2) / 4, `diffuse` times 0.96 (1 - s): reflections that Whitted's method cannot blur are given to the diffuse part, and with map_Kd
-/// all, since pictures do not colour mirrors |
+/// Whitted's surface for a material, by the table in scene/formats/GUIDE.md; `warnings` counts what is doubtful. Beyond the table: colours are linear
+/// Rec. 709; Ka is often 0 or that of a light; of `d` and `Tr`, d counts; grey Tf below 0.5 is opacity, as 3ds Max writes it, by which transmission
+/// is multiplied as 1 - Tf. Of roughness r and metallic m, s = m (1 - r)^2 is sharp: `reflection` is s Kd, `specular` goes from 0.04 to Kd by s,
+/// `exponent` is (2 / r^4 - 2) / 4, `diffuse` is multiplied by 0.96 (1 - s): reflections that Whitted's method cannot blur are given to the diffuse
+/// part, and with map_Kd all, since pictures do not colour mirrors.
 Material make_material(const MtlMaterial &mtl, std::map<std::string, uint> &warnings);
 
 /// Of what no file gives a material: grey, or the colours of its vertices, with a little highlight.

@@ -35,7 +35,7 @@ struct Reading {
     MeshBuilder builder{tables};
     std::string group, object;
     std::map<std::string, uint> materials;  ///< numbers by name, in the order of their first use
-    std::map<std::string, MtlMaterial> library;
+    std::map<std::string, MtlMaterial> mtl_materials;
     std::vector<MeshVertex> corners;  ///< of a face
 };
 
@@ -178,6 +178,7 @@ std::vector<std::string> library_names(const std::string &line, const fs::path &
 
 void read_library(Reading &reading) {
     if (!reading.prefix) return reading.tokens.skip_line();
+    const uint line = reading.tokens.line();
     const fs::path folder = fs::path(reading.file).parent_path();
     for (const std::string &name : library_names(reading.tokens.rest_of_line(), folder)) {
         const fs::path path = folder / name;
@@ -186,9 +187,11 @@ void read_library(Reading &reading) {
             warn(reading, "material library " + brandung::quoted(name) + " is not there");
             continue;
         }
+        place_warnings(reading.scene, [&] { return fmt::format("{}:{}", reading.file, line); });
         reading.scene.files.push_back(path.string());
         // Of several materials of one name the first counts.
-        for (MtlMaterial &material : read_mtl(path.string(), reading.scene.warnings)) reading.library.emplace(material.name, std::move(material));
+        for (MtlMaterial &material : read_mtl(path.string(), reading.scene.warnings))
+            reading.mtl_materials.emplace(material.name, std::move(material));
         place_warnings(reading.scene, [&] { return path.string(); });
     }
 }
@@ -286,7 +289,7 @@ void set_materials(const Reading &reading, std::vector<MeshPart> &parts) {
     std::map<uint, uint> known;
     for (MeshPart &part : parts) {
         const bool none = part.material == MeshBuilder::no_material;
-        const MtlMaterial *found = none ? nullptr : find_material(reading.library, *names[part.material]);
+        const MtlMaterial *found = none ? nullptr : find_material(reading.mtl_materials, *names[part.material]);
         if (found) place_textures(placing_texture(*found), part.mesh.uvs);
         const auto [entry, added] = known.emplace(part.material, 0);
         if (added && none)

@@ -88,6 +88,11 @@ private:
 };
 
 void drop_flat_triangles(MeshData &mesh) {
+    assert(mesh.indices.size() % 3 == 0);
+    assert(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size());
+    assert(mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size());
+    assert(mesh.colors.empty() || mesh.colors.size() == mesh.positions.size());
+    assert(mesh.numbers.empty() || mesh.numbers.size() == mesh.indices.size() / 3);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const uint a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
@@ -102,11 +107,6 @@ void drop_flat_triangles(MeshData &mesh) {
 }  // namespace
 
 std::unique_ptr<Shape> make_triangle_mesh(uint material, MeshData mesh) {
-    assert(mesh.indices.size() % 3 == 0);
-    assert(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size());
-    assert(mesh.uvs.empty() || mesh.uvs.size() == mesh.positions.size());
-    assert(mesh.colors.empty() || mesh.colors.size() == mesh.positions.size());
-    assert(mesh.numbers.empty() || mesh.numbers.size() == mesh.indices.size() / 3);
     drop_flat_triangles(mesh);
     if (mesh.indices.empty()) return nullptr;
     return std::make_unique<TriangleMesh>(material, std::move(mesh));
@@ -114,17 +114,13 @@ std::unique_ptr<Shape> make_triangle_mesh(uint material, MeshData mesh) {
 
 void add_triangle_mesh(Scene &scene, uint material, MeshData mesh, const std::string &before) {
     const std::size_t triangles = mesh.indices.size() / 3;
-    std::vector<uint> numbers;
-    if (!mesh.numbers.empty()) {
-        drop_flat_triangles(mesh);
-        numbers = std::exchange(mesh.numbers, {});
-    }
-    auto shape = make_triangle_mesh(material, std::move(mesh));
-    const std::size_t kept = shape ? shape->count() : 0;
+    drop_flat_triangles(mesh);
+    const std::size_t kept = mesh.indices.size() / 3;
     if (kept < triangles) scene.warnings["triangle without area: left out"] += uint(triangles - kept);
-    if (!shape) return;
-    if (scene.places && !numbers.empty()) scene.places->emplace(shape.get(), PlaceInFile{before, std::move(numbers)});
-    scene.shapes.push_back(std::move(shape));
+    if (kept == 0) return;
+    std::vector<uint> numbers = std::exchange(mesh.numbers, {});
+    scene.shapes.push_back(std::make_unique<TriangleMesh>(material, std::move(mesh)));
+    if (scene.places && !numbers.empty()) scene.places->emplace(scene.shapes.back().get(), PlaceInFile{before, std::move(numbers)});
 }
 
 std::vector<vec3> read_normals(const Parameters &parameters, const std::string &name, std::size_t vertices) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <glm/gtc/packing.hpp>
 #include <limits>
 
@@ -35,7 +36,8 @@ uint read_texture(Scene &scene, const std::string &file, const TextureOptions &o
     const auto same = [&](const Texture &texture) { return texture.file == file && texture.options == options; };
     const auto known = std::find_if(scene.textures.begin(), scene.textures.end(), same);
     if (known != scene.textures.end()) return static_cast<uint>(known - scene.textures.begin()) + 1;
-    scene.files.push_back(file);
+    std::error_code error;
+    if (std::filesystem::exists(file, error)) scene.files.push_back(file);  // though it may turn out to be no picture
     Texture &texture = scene.textures.emplace_back(Texture{file, options, read_picture(file, options.encoding)});
     if (const uint repaired = repair_texels(texture.picture))
         scene.warnings[fmt::format("texture {}: texels that are negative, not finite or above {:g}: cut", file, largest_texel)] += repaired;

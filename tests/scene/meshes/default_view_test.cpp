@@ -33,7 +33,7 @@ TEST(FramingCamera, SeesTheWholeSphereAroundABoxOfAnySizeInAPictureOfAnyShape) {
         parts.push_back(box(center - half, center + half, false));
         FilmSettings film;
         film.width = uint(400 * uniform(random)), film.height = uint(400 * uniform(random));
-        const CameraDescription camera = framing_camera(parts, film, {{}, {}, {}, uniform(random)});
+        const CameraDescription camera = frame(parts, film, {{}, {}, {}, uniform(random)}).camera;
         const double radius = glm::length(half), distance = glm::length(camera.from - camera.at), tan_y = std::tan(camera.fov / 2);
         const double half_angle = std::atan(tan_y * std::min(1.0, double(film.width) / film.height));
         EXPECT_NEAR(std::asin(radius / distance) / half_angle, 1, 1e-3) << i;
@@ -47,7 +47,7 @@ TEST(FramingCamera, SeesTheWholeSphereAroundABoxOfAnySizeInAPictureOfAnyShape) {
 TEST(FramingCamera, StandsOnTheGroundThatUpGives) {
     std::vector<MeshPart> parts;
     parts.push_back(box(vec3(-1), vec3(1), false));
-    const CameraDescription camera = framing_camera(parts, {}, {{}, {}, vec3(0, 0, 2), {}});
+    const CameraDescription camera = frame(parts, {}, {{}, {}, vec3(0, 0, 2), {}}).camera;
     const vec3 way = glm::normalize(camera.from - camera.at);
     EXPECT_NEAR(way.z, std::sin(20 * std::numbers::pi / 180), 1e-5);
     EXPECT_LT(way.y, -0.8f);  // -y is in front
@@ -58,7 +58,7 @@ TEST(FramingCamera, StandsOnTheGroundThatUpGives) {
 TEST(FramingCamera, LooksIntoARoom) {
     std::vector<MeshPart> parts;
     parts.push_back(box(vec3(-1), vec3(1), true));
-    const CameraDescription camera = framing_camera(parts, {}, {});
+    const CameraDescription camera = frame(parts, {}, {}).camera;
     EXPECT_NEAR(camera.from.x, 0, 1e-6);
     EXPECT_NEAR(camera.from.y, 0, 1e-6);
     EXPECT_NEAR(camera.from.z, 1.05 * (1 + 1 / std::tan(camera.fov / 2)), 1e-4);
@@ -71,7 +71,7 @@ TEST(FramingCamera, LooksDownOnAFloor) {
     floor.mesh.indices = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
     std::vector<MeshPart> parts;
     parts.push_back(std::move(floor));
-    const CameraDescription camera = framing_camera(parts, {}, {});
+    const CameraDescription camera = frame(parts, {}, {}).camera;
     EXPECT_GT(camera.from.y - camera.at.y, 0.3f * glm::length(camera.from - camera.at));
 }
 
@@ -81,7 +81,7 @@ TEST(FramingCamera, LooksIntoARoomWithoutCeilingAsWell) {
     parts.push_back(box(vec3(-1), vec3(1), true));
     std::vector<uint> &indices = parts[0].mesh.indices;
     indices.erase(indices.begin() + 12, indices.begin() + 18);  // the side of y = 1
-    const CameraDescription camera = framing_camera(parts, {}, {});
+    const CameraDescription camera = frame(parts, {}, {}).camera;
     EXPECT_NEAR(camera.from.x, 0, 1e-6);
     EXPECT_NEAR(camera.from.y, 0, 1e-6);
     EXPECT_GT(camera.from.z, 1);
@@ -91,9 +91,10 @@ TEST(Headlight, LightsWhatFacesItWithPiWattsWhateverTheScale) {
     for (const float scale : {1e-4f, 1.0f, 1e6f}) {
         std::vector<MeshPart> parts;
         parts.push_back(box(vec3(-scale), vec3(scale), false));
-        const CameraDescription camera = framing_camera(parts, {}, {});
+        const Framing framing = frame(parts, {}, {});
+        const CameraDescription &camera = framing.camera;
         PointLight light;
-        std::memcpy(&light, headlight(parts, camera).words, sizeof light);
+        std::memcpy(&light, headlight(framing).words, sizeof light);
         EXPECT_EQ(light.attenuation, vec3(1, 0, 0));
         EXPECT_FLOAT_EQ(light.intensity.y, std::numbers::pi_v<float>);
         const vec3 to_light = glm::normalize(light.position - camera.at), to_eye = glm::normalize(camera.from - camera.at);
