@@ -152,8 +152,7 @@ Picture difference_picture(const PicturePair &pair, const Flip &flip) {
 
 int run(const Options &options) {
     const std::vector<Tolerance> tolerances = parse_tolerances(options.tolerances);
-    DistinctFiles files({options.test, options.reference});
-    if (!options.diff.empty()) files.add_output("--diff", options.diff);
+    if (!options.diff.empty()) DistinctFiles({options.test, options.reference}).add_output("--diff", options.diff);
     const Picture test = read_picture(options.test), reference = read_picture(options.reference);
     if (!options.diff.empty()) check_picture_writable(options.diff, test.width, test.height);
     const PicturePair pair = paired(options, test, reference);

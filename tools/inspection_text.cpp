@@ -141,15 +141,20 @@ std::string light_state(const json &light) {
     return light["blocker"].is_null() ? "hidden" + through : fmt::format("hidden{} by {}", through, primitive(light["blocker"]));
 }
 
+/// "stratum 0,1 of 2 x 2" of a grid, "stratum 3 of 4" of others.
+std::string stratum(const json &stratum) {
+    if (stratum.contains("cell")) return fmt::format("stratum {} of {}", text_of(stratum["cell"]), text_of(stratum["cells"]));
+    const std::string rows = text_of(stratum["rows"]);
+    return fmt::format("stratum {},{} of {} x {}", text_of(stratum["column"]), text_of(stratum["row"]), rows, rows);
+}
+
 void write_light(Lines &lines, const json &light) {
     const json &emissive = light["emissive"];
     const std::string name = emissive.is_null() ? fmt::format("light {}, {}", text_of(light["light"]), text_of(light["kind"]))
                                                 : fmt::format("light of row {}", text_of(light["row"]));
     lines.field(name, light_state(light));
     if (!emissive.is_null())
-        lines.field("  emissive", fmt::format("\"{}\", {}; stratum {},{} of {} x {}", text_of(emissive["material"]), shape(emissive),
-                                              text_of(emissive["stratum"]["column"]), text_of(emissive["stratum"]["row"]),
-                                              text_of(emissive["stratum"]["rows"]), text_of(emissive["stratum"]["rows"])));
+        lines.field("  emissive", fmt::format("\"{}\", {}; {}", text_of(emissive["material"]), shape(emissive), stratum(emissive["stratum"])));
     if (!light["asked"]) return;
     lines.field("  from", floats(light["origin"]));
     lines.field("  direction", floats(light["direction"]));

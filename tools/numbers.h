@@ -25,7 +25,8 @@ inline CLI::Validator whole_numbers(uint low, uint high) {
     const auto fault = [=](const std::string &text) {
         std::uint64_t number = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-        const bool whole = error == std::errc() && end == text.data() + text.size() && number >= low && number <= high;
+        const bool octal = text.size() > 1 && text[0] == '0';  // to CLI11, which converts it
+        const bool whole = error == std::errc() && end == text.data() + text.size() && !octal && number >= low && number <= high;
         return whole ? "" : "must be a whole number from " + std::to_string(low) + " to " + std::to_string(high) + ", got '" + text + "'";
     };
     return {fault, "NUMBER"};

@@ -5,11 +5,6 @@
 #include "tools/report_text.h"
 
 namespace brandung {
-namespace {
-
-double mebibytes(std::size_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
-
-}  // namespace
 
 void check_memory(const Job &job) {
     const DeviceInfo &device = job.device.info();

@@ -152,7 +152,8 @@ json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &en
             {"kernels", kernel_statistics(job.device.profile())},
             {"memory", memory(job)},
             {"features", features(job)},
-            {"warnings", job.compiled.warnings}};
+            {"warnings", job.compiled.warnings},
+            {"warning_places", job.scene.warning_places}};
 }
 
 }  // namespace brandung

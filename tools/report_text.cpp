@@ -24,7 +24,7 @@ std::string counted(std::uint64_t count, std::string noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : noun.ends_with("sh") ? "es" : "s");
 }
 
-std::string bytes_text(std::uint64_t bytes) { return fmt::format("{:.1f} MiB ({} bytes)", double(bytes) / (1 << 20), bytes); }
+std::string bytes_text(std::uint64_t bytes) { return fmt::format("{:.1f} MiB ({} bytes)", mebibytes(bytes), bytes); }
 
 std::string contents_text(const json &contents) {
     const auto count = [&](const char *name, const char *noun) { return counted(contents[name], noun); };

@@ -11,6 +11,7 @@ namespace brandung {
 
 /// "1 light", "2 emissive meshes": names of kinds may have underscores.
 std::string counted(std::uint64_t count, std::string noun);
+inline double mebibytes(std::uint64_t bytes) { return double(bytes) / (1 << 20); }
 /// "1.5 MiB (1572864 bytes)"
 std::string bytes_text(std::uint64_t bytes);
 /// Of scene_contents(): "6 primitives (2 spheres, 4 triangles), 1 light (1 point), 2 materials, 1 camera, 3 instances of 1 group".

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 
 #include "kernels/primitives/instance.h"
 #include "scene/compilation/spaces.h"
@@ -21,6 +22,7 @@ SceneObjects::SceneObjects(const Scene &scene) : scene_(scene), lights_(make_lig
 void SceneObjects::add_shapes(const std::vector<std::unique_ptr<Shape>> &shapes, std::optional<uint> group, uint &first) {
     uint number = 0;
     for (const auto &shape : shapes) {
+        place_of_shape_.emplace(shape.get(), shapes_.size());
         shapes_.push_back({first, shape.get(), group, number++});
         first += static_cast<uint>(shape->count());
     }
@@ -75,17 +77,23 @@ json SceneObjects::primitive(uint number, uint instance_number) {
     return result;
 }
 
+/// A cell of a grid, or of those of a mesh, which lie along a curve. Lights of files come first, then every shape has as many.
+json SceneObjects::stratum(uint row) const {
+    Emission emission;
+    std::memcpy(&emission, lights_.rows[row].words, sizeof emission);
+    const uint cells = scene_.integrator.light_samples * scene_.integrator.light_samples, place = emission.stratum.column_and_row;
+    if (emission.stratum.rows == 0) return {{"cell", (row - static_cast<uint>(scene_.lights.size())) % cells}, {"cells", cells}};
+    return {{"column", place & 0xffff}, {"row", place >> 16}, {"rows", emission.stratum.rows}};
+}
+
 json SceneObjects::light(uint row) {
     const char *kind = light_kinds()[lights_.rows[row].kind].name;
     const PlacedShape &emissive = lights_.shapes[row];
     if (!emissive.shape) return {{"row", row}, {"kind", kind}, {"light", row}, {"emissive", nullptr}};
-    const auto same = [&](const Placed &placed) { return placed.shape == emissive.shape; };
-    json result = shape(*std::find_if(shapes_.begin(), shapes_.end(), same));
+    json result = shape(shapes_[place_of_shape_.at(emissive.shape)]);
     result["instance"] = instance(emissive.instance);
     result["material"] = scene_.materials[emissive.material].name;
-    // Lights of files come first, then every shape has as many strata.
-    const uint rows = scene_.integrator.light_samples, stratum = (row - static_cast<uint>(scene_.lights.size())) % (rows * rows);
-    result["stratum"] = {{"column", stratum % rows}, {"row", stratum / rows}, {"rows", rows}};
+    result["stratum"] = stratum(row);
     return {{"row", row}, {"kind", kind}, {"light", nullptr}, {"emissive", result}};
 }
 

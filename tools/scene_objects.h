@@ -32,12 +32,14 @@ private:
     void add_shapes(const std::vector<std::unique_ptr<Shape>> &shapes, std::optional<uint> group, uint &first);
     nlohmann::json shape(const Placed &placed);
     nlohmann::json instance(uint number);
+    nlohmann::json stratum(uint row) const;
     nlohmann::json place(std::optional<uint> group, uint object);
     nlohmann::json source(const Shape &shape, uint primitive) const;
     std::string place_in_file(const std::string &pointer);
 
     const Scene &scene_;
     std::vector<Placed> shapes_;
+    std::map<const Shape *, std::size_t> place_of_shape_;  ///< in shapes_
     const LightRows lights_;
     std::optional<Document> document_;           ///< read when a place is asked for
     std::map<std::string, std::string> places_;  ///< by JSON pointer

@@ -10,6 +10,7 @@
 
 #include "scene/error.h"
 #include "scene/formats/limits.h"
+#include "scene/meshes/default_view.h"
 #include "scene/parameters.h"
 #include "scene/tone.h"
 #include "tools/numbers.h"
@@ -115,7 +116,7 @@ void add_picture_options(CLI::App &command, SceneOptions &options) {
     command.add_option("--size", options.size, "picture size as WIDTHxHEIGHT (default: the scene's, or 512x512)");
     command.add_option("--crop", options.crop,
                        "the part of the picture to render as X0,Y0,X1,Y1: pixels from the left and the top, X1 and Y1 exclusive");
-    command.add_option("--spp", options.spp, "samples per pixel (default: the scene's, or 1; of a mesh file 16)")
+    command.add_option("--spp", options.spp, fmt::format("samples per pixel (default: the scene's, or 1; of a mesh file {})", mesh_spp))
         ->check(whole_numbers(1u, max_samples));
     command.add_option("--seed", options.seed, "seed of random numbers")->check(whole_numbers(0u, 0xffffffffu));
     command.add_option("--pixel", options.pixel, "where a single sample lies: corner, center or random");
@@ -151,8 +152,11 @@ void add_light_options(CLI::App &command, SceneOptions &options) {
     command.add_option("--max-depth", options.max_depth, "rays in a chain, the eye ray being 1 (default: the scene's, or 5)")
         ->check(whole_numbers(1u, max_depth));
     command
-        .add_option("--light-samples", options.light_samples,
-                    "K: every emissive surface lights others from K x K of its points; 0: from none (default: the scene's, or 1; of a mesh file 2)")
+        .add_option(
+            "--light-samples", options.light_samples,
+            fmt::format("K: every emissive surface lights others from K x K of its points; 0: from none (default: the scene's, or 1; of a mesh "
+                        "file {})",
+                        mesh_light_samples))
         ->check(whole_numbers(0u, MAX_LIGHT_SAMPLES));
     command.add_option("--shadows", options.shadows, "of transparent objects: opaque, or filtered, which lets light through (default: the scene's)");
 }

@@ -9,6 +9,7 @@
 
 #include "scene/accelerators/accelerator.h"
 #include "tests/kernels/accelerators/hard_scenes.h"
+#include "tests/support/scenes.h"
 #include "tests/support/traced_scene.h"
 
 namespace brandung {
