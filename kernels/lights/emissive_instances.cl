@@ -3,9 +3,14 @@
 #include "kernels/lights/emission.h"
 #include "kernels/primitives/instance.cl"
 
+/// Rows of lights of other kinds are evaluated too, and not selected: their numbers are kept within the array.
+FUNCTION const global Instance *instance_of_light(Scene scene, uint instance) {
+    return SCENE_ARRAY(scene, Instance, instances) + min(instance, scene.header->instances.count - 1u);
+}
+
 /// The lit point as the shape's space has it.
 FUNCTION vec3 lit_point_in_group(Scene scene, uint instance, vec3 p) {
-    const global Instance *placed = SCENE_ARRAY(scene, Instance, instances) + instance;
+    const global Instance *placed = instance_of_light(scene, instance);
     return where(instance != 0u, transformed_point(&placed->to_group, p), p);
 }
 
@@ -23,7 +28,7 @@ FUNCTION vec3 area_in_world(const global Transform *m, vec3 n) {
 /// own errors, the way of a ray from p into the group's space, of at most 2^-21 (|M⁻¹| |w| + |origin|) for points w of the ray as surface_in_world
 /// derives, and the point's way to the world, of at most 2^-22 (|M| |p| + |t|). Planes of the group at distance 1 are 1 / |M⁻ᵀ n| apart in the world.
 FUNCTION EmissivePoint emissive_point_in_world(Scene scene, uint instance, vec3 p, EmissivePoint point) {
-    const global Instance *placed = SCENE_ARRAY(scene, Instance, instances) + instance;
+    const global Instance *placed = instance_of_light(scene, instance);
     const global Transform *to_world = &placed->to_world, *to_group = &placed->to_group;
     const vec3 q = transformed_point(to_world, point.p), reach = plus(absolute(q), absolute(minus(q, p)));
     const vec3 back = plus(error_in_world(to_group, reach), absolute(load(&to_group->origin)));

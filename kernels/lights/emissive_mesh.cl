@@ -15,7 +15,7 @@ FUNCTION EmissiveMesh emissive_mesh_view(Light l) {
 /// A face chosen by area. Rows of lights of other kinds are evaluated too, and not selected: their numbers are kept within the array.
 FUNCTION const global EmissiveFace *emissive_mesh_face(Scene scene, EmissiveMesh light, uint random) {
     const global EmissiveFace *faces = SCENE_ARRAY(scene, EmissiveFace, emissive_faces);
-    const uint last = scene.header->emissive_faces.count - 1u;
+    const uint last = max(scene.header->emissive_faces.count, 1u) - 1u;
     const uint entry = (uint)((uint64)hash(random + 2u) * light.faces >> 32);
     const global EmissiveFace *face = faces + min(light.first_face + entry, last);
     const uint chosen = unit_interval(hash(random + 3u)) < face->kept ? entry : face->alias;

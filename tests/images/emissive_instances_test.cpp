@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "scene/compile.h"
+#include "scene/lights/light.h"
 #include "scene/primitives/add.h"
 #include "tests/images/irradiance.h"
 
@@ -134,6 +135,19 @@ TEST(EmissiveInstances, AddUp) {
     add_floor(scene), add_quad(scene, 1, {0, 2, 0}, {1, 0, 0}, {0, 0, 1});
     expect_mean(estimate(scene), square_factor(0, 0) * 6 / 4);
     EXPECT_EQ(compile(scene).header.emissive_faces.count, 2u);
+}
+
+/// What spot and point lights have where emissive shapes have the number of their instance is no such number. These lie behind the floor.
+TEST(EmissiveInstances, ShineBesideLightsOfOtherKinds) {
+    Scene scene = scene_seen_at({4, 1, 0.5f}, {0, 0, 0});
+    add_quad(scene, 1, {-1, 2, -1}, {2, 0, 0}, {0, 0, 2});
+    place(scene, {AffineMap()});
+    add_floor(scene);
+    scene.lights.push_back(spot_light({0, -3, 3}, {0, 0, 0}, {15.9f, 14, 2}, 60, 0.2));
+    scene.lights.push_back(make_light(PointLight{{0, -3, 0}, Spectrum(3), {1, 0, 0}}));
+    const Estimate lamp = estimate(scene);
+    expect_mean(lamp, square_factor(0, 0));
+    EXPECT_EQ(lamp.shadow_rays, lamp.samples);
 }
 
 }  // namespace
