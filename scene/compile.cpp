@@ -1,16 +1,38 @@
 #include "scene/compile.h"
 
+#include <numeric>
+
+#include "scene/bsdfs/bsdf.h"
 #include "scene/compilation/parts.h"
+#include "scene/lights/light.h"
 
 namespace brandung {
+namespace {
 
-CompiledScene compile(const Scene &scene) {
+template <class KindsOfFamily> std::vector<uint> numbers_of(const KindsOfFamily &kinds) {
+    std::vector<uint> numbers(kinds.size());
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    return numbers;
+}
+
+/// As if the scene used whatever changes no picture by being there.
+void use_everything(const Scene &scene, CompiledScene &compiled) {
+    compiled.bsdfs = numbers_of(bsdf_kinds()), compiled.lights = numbers_of(light_kinds());
+    compiled.reflects = compiled.transmits = compiled.emissive_instances = compiled.highlights = compiled.shading_normals = compiled.tints = true;
+    compiled.filters_shadows = scene.integrator.filtered_shadows;
+    compiled.interior_size = max_interior_size;
+}
+
+}  // namespace
+
+CompiledScene compile(const Scene &scene, Kinds kinds) {
     CompiledScene compiled;
     compiled.warnings = scene.warnings;
     Arena arena(compiled.arena);
-    add_primitives(scene, compiled, arena);
+    add_primitives(scene, kinds, compiled, arena);
     add_materials(scene, compiled, arena);
     add_lights(scene, compiled, arena);
+    if (kinds == Kinds::all) use_everything(scene, compiled);
     compiled.filter = scene.film.filter;
     compiled.header.background = scene.background;
     compiled.header.ambient = scene.ambient;

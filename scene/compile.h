@@ -13,6 +13,9 @@ namespace brandung {
 /// So many media a ray can be in at once; what it enters beyond them is left out.
 inline constexpr uint max_interior_size = 8;
 
+/// Which kinds of things kernels are made for: those of the scene, or all, so that one set of kernels renders every scene. The picture is the same.
+enum class Kinds { in_use, all };
+
 /// The scene's records, laid out, and which kinds of things they are.
 struct CompiledScene {
     SceneHeader header{};
@@ -23,6 +26,7 @@ struct CompiledScene {
     uint filter = 0;                                ///< in use: its place in filter_kinds()
     std::string accelerator;
     bool reflects = false, transmits = false;  ///< whether any material spawns such rays
+    bool instances = false;                    ///< whether rays look into groups
     bool filters_shadows = false;              ///< whether transparent objects let light through, and there are some
     bool emissive_instances = false;           ///< whether any light is an emissive shape of an instance
     bool highlights = false;                   ///< whether any material has one
@@ -41,6 +45,6 @@ struct CompiledScene {
 };
 
 /// Throws SceneError if the scene is too big, or names an unknown accelerator.
-CompiledScene compile(const Scene &scene);
+CompiledScene compile(const Scene &scene, Kinds kinds = Kinds::in_use);
 
 }  // namespace brandung

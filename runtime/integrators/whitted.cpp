@@ -25,7 +25,7 @@ public:
           batch_(job.batch),
           interior_size_(job.compiled.interior_size),
           light_count_(job.compiled.header.lights.count),
-          instances_(job.compiled.instance_count > 0),
+          instances_(job.compiled.instances),
           branching_(branching(job.compiled)),
           params_{job.scene.integrator.max_depth, job.scene.integrator.threshold},
           generate_(job.device, "kernels/stages/generate_camera_rays.cl", "generate_camera_rays", scene_.lists()),

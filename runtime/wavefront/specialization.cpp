@@ -56,8 +56,8 @@ Sources specialize(const CompiledScene &scene) {
     sources["generated/bsdfs.cl"] = family(scene.bsdfs, bsdf_kinds(), "bsdfs", "FOR_EACH_BSDF");
     sources["generated/lights.cl"] = family(scene.lights, light_kinds(), "lights", "FOR_EACH_LIGHT");
     sources["generated/accelerator.cl"] = include("accelerators/" + scene.accelerator + ".cl");
-    sources["generated/levels.cl"] = include(scene.instance_count > 0 ? "accelerators/two_levels.cl" : "accelerators/one_level.cl");
-    sources["generated/instances.cl"] = include(scene.instance_count > 0 ? "primitives/instance.cl" : "primitives/no_instance.cl");
+    sources["generated/levels.cl"] = include(scene.instances ? "accelerators/two_levels.cl" : "accelerators/one_level.cl");
+    sources["generated/instances.cl"] = include(scene.instances ? "primitives/instance.cl" : "primitives/no_instance.cl");
     sources["generated/emissive_instances.cl"] =
         include(scene.emissive_instances ? "lights/emissive_instances.cl" : "lights/no_emissive_instances.cl");
     sources["generated/sampler.cl"] = include("samplers/stratified.cl");
@@ -68,7 +68,7 @@ Sources specialize(const CompiledScene &scene) {
     sources["generated/constants.h"] = fmt::format(
         "#pragma once\n#define BRANCHING {}u\n#define INTERIOR_SIZE {}u\n#define HIGHLIGHTS {}\n#define SHADING_NORMALS {}\n"
         "#define INSTANCES {}\n#define INSTANCE_KIND {}u\n#define FLAT_KINDS {:#x}u\n",
-        branching(scene), scene.interior_size, scene.highlights ? 1 : 0, scene.shading_normals ? 1 : 0, scene.instance_count > 0 ? 1 : 0,
+        branching(scene), scene.interior_size, scene.highlights ? 1 : 0, scene.shading_normals ? 1 : 0, scene.instances ? 1 : 0,
         scene.primitives.size(), flat_kinds(scene));
     return sources;
 }

@@ -122,16 +122,17 @@ void add_instances(const Scene &scene, const std::vector<Group> &groups, Compile
 
 }  // namespace
 
-void add_primitives(const Scene &scene, CompiledScene &compiled, Arena &arena) {
+void add_primitives(const Scene &scene, Kinds kinds, CompiledScene &compiled, Arena &arena) {
     const std::vector<Space> spaces = spaces_in_use(scene);
-    compiled.primitives = primitive_kinds_in_use(scene);
-    if (compiled.primitives.size() + (scene.instances.empty() ? 0 : 1) > MAX_PRIMITIVE_KINDS)
+    compiled.primitives = kinds == Kinds::all ? primitive_kinds() : primitive_kinds_in_use(scene);
+    compiled.instances = kinds == Kinds::all || !scene.instances.empty();
+    if (compiled.primitives.size() + (compiled.instances ? 1 : 0) > MAX_PRIMITIVE_KINDS)
         throw SceneError(scene.file + ": too many kinds of primitives in one scene");
     compiled.header.world = add_space(scene, spaces.front(), true, compiled, arena);
     std::vector<Group> groups;
     for (std::size_t g = 1; g < spaces.size(); ++g) groups.push_back(add_space(scene, spaces[g], false, compiled, arena));
     add_shading(scene, spaces, compiled, arena);
-    if (!scene.instances.empty()) add_instances(scene, groups, compiled, arena);
+    if (compiled.instances) add_instances(scene, groups, compiled, arena);
 }
 
 }  // namespace brandung

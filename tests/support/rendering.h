@@ -19,7 +19,7 @@ __int128 value_of(Integer128 x);
 __int128 sum_of(const FilmPixel &pixel, std::size_t c);
 
 /// Renders with the scene's first camera on the test device.
-Rendering render_scene(const Scene &scene, const RenderOptions &options = {});
+Rendering render_scene(const Scene &scene, const RenderOptions &options = {}, Kinds kinds = Kinds::in_use);
 
 /// Of the exact sums: equal pictures and only they have equal hashes (FNV-1a, 64 bits).
 std::uint64_t film_hash(const std::vector<FilmPixel> &film);
