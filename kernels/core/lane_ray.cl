@@ -51,7 +51,8 @@ FUNCTION LaneRay lane_ray(real3 origin, real3 direction, real t_max, uint kz, ma
     return ray;
 }
 
-/// A crossing counts only within its primitive's own box, where it is moved if rounding took it before the box. So no box around can lose it.
+/// A crossing counts only within its primitive's own box, where it is moved if rounding took it before the box, and not if the box lies behind the
+/// ray. So no box around can lose it, or be the only one to keep it.
 FUNCTION Crossing within_box(Crossing crossing, LaneBox box, LaneRay ray) {
     const real3 low = box.low, high = box.high;
     const real3 a =
@@ -61,6 +62,6 @@ FUNCTION Crossing within_box(Crossing crossing, LaneBox box, LaneRay ray) {
     const real near = largest(minimum(a, b));
     const real3 far = maximum(a, b);
     crossing.t = maximum(crossing.t, near);
-    crossing.hit &= (near <= minimum(far.x, minimum(far.y, far.z))) & (crossing.t <= ray.t_max);
+    crossing.hit &= (maximum(near, 0.0f) <= minimum(far.x, minimum(far.y, far.z))) & (crossing.t <= ray.t_max);
     return crossing;
 }

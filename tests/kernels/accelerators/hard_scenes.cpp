@@ -62,6 +62,18 @@ Scene far_away() {
     return scene;
 }
 
+/// Cones so flat that rounding moves a crossing by more than they are high: many in planes of two axes, whose boxes are as flat.
+Scene flat_rings() {
+    Scene scene = empty_scene();
+    add_one_of_each_kind(scene);
+    Random random(12);
+    for (uint i = 0; i < 200; ++i) {
+        const vec3 base = random.in_cube(1), way = i % 2 ? random.direction() : vec3(i % 3 == 0, i % 3 == 1, i % 3 == 2);
+        add_frustum(scene, 0, base, random.uniform(0, 0.3f), base + way * std::exp2(random.uniform(-18, -12)), random.uniform(0.4f, 0.8f));
+    }
+    return scene;
+}
+
 constexpr vec3 eye(0, 0, 3);  // from the centre
 
 /// Nearly edge on as seen from the eye: there t is worst conditioned.
@@ -153,6 +165,7 @@ std::vector<SceneKind> scene_kinds() {
         {"grid", grid, {}},
         {"edge_on", edge_on, {}},
         {"far_away", far_away, {8192, -8192, 8192}},
+        {"flat_rings", flat_rings, {}},
         {"instances", instances, {}},
         {"sheared_layers", sheared_layers, {3, 0, 0}},
     };
