@@ -17,17 +17,19 @@ FUNCTION FrustumShading frustum_view(const global ShadingRecord *record) {
     return frustum;
 }
 
-/// The point is put back onto the surface, so that its error does not grow with the ray's length.
+/// The point is put back onto the surface, so that its error does not grow with the ray's length: between the ends too, since beyond a tip is none.
+/// Near the axis the way outward is what rounding leaves of f; made perpendicular once more, it is so to the last digits.
 FUNCTION Surface frustum_surface(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
     const FrustumShading frustum = frustum_view(record);
     const vec3 f = plus(minus(ray.origin, frustum.center), scaled(ray.direction, hit.t));
     const float z = dot3(f, frustum.axis);
-    const vec3 x = minus(f, scaled(frustum.axis, z));
+    const vec3 rough = minus(f, scaled(frustum.axis, z)), x = minus(rough, scaled(frustum.axis, dot3(rough, frustum.axis)));
     const vec3 outward = where(dot3(x, x) > 0.0f, unit(x), make3(0.0f, 0.0f, 0.0f));  // at the very tip the normal is the axis
-    const float radius = maximum(fma(frustum.slope, z, frustum.radius), 0.0f);
+    const float place = minimum(maximum(z, -frustum.half_length), frustum.half_length);
+    const float radius = maximum(fma(frustum.slope, place, frustum.radius), 0.0f);
     Surface surface;
-    surface.p = plus(frustum.center, plus(scaled(frustum.axis, z), scaled(outward, radius)));
-    const float size = fabs(z) + radius;
+    surface.p = plus(frustum.center, plus(scaled(frustum.axis, place), scaled(outward, radius)));
+    const float size = fabs(place) + radius;
     surface.error = scaled(plus(absolute(frustum.center), make3(size, size, size)), 0x1p-21f);
     surface.geometric = unit(minus(outward, scaled(frustum.axis, frustum.slope)));
     surface.normal = surface.geometric;

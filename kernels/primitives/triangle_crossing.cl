@@ -47,8 +47,10 @@ FUNCTION Crossing TRIANGLE(crossing)(const global TriangleBlock *block, uint j, 
         real3 a, b, c, normal;
         TRIANGLE(vertices)(block, j, &a, &b, &c);
         const real offset = TRIANGLE(plane_offset)(a, b, c, ray.origin, &normal);
-        // Where the ray all but lies in the plane, the quotient's size means nothing.
-        crossing.t = where(near, minimum(2.0f * doubtful * fabs(ray.shear.z), -offset / dot3(normal, ray.direction)), crossing.t);
+        // Where the ray all but lies in the plane, the quotient's size means nothing; but it ends where it has passed all vertices.
+        const real last = maximum(az * ray.shear.z, maximum(bz * ray.shear.z, cz * ray.shear.z));
+        const real end = minimum(2.0f * doubtful * fabs(ray.shear.z), last);
+        crossing.t = where(near, minimum(end, -offset / dot3(normal, ray.direction)), crossing.t);
         crossing.hit &= (crossing.t > 0.0f) & (crossing.t <= ray.t_max);
         if (mask_bits(crossing.hit) == 0u) return crossing;
     }
