@@ -1,15 +1,26 @@
 #include "tools/job.h"
 
+#include <fmt/core.h>
+
 #include <chrono>
 #include <cstring>
 
+#include "runtime/selftest/trust.h"
 #include "scene/view.h"
 
 namespace brandung {
 namespace {
 
+void refuse_if_distrusted(const DeviceInfo &device) {
+    const auto [why_not, warning] = known_trust(device);
+    if (!warning.empty()) fmt::print(stderr, "warning: {}\n", warning);
+    if (!why_not.empty())
+        throw Error(fmt::format("'{}' has failed brandung selftest: {}; --untrusted-device takes it all the same", device.name, why_not));
+}
+
 Device select_device(const SceneOptions &options, std::function<void(const std::string &)> on_build) {
     Device device = Device::select(options.device, options.threads);
+    if (!options.untrusted_device) refuse_if_distrusted(device.info());
     device.on_build(std::move(on_build));
     return device;
 }

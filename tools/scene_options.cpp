@@ -174,6 +174,8 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
 void add_device_options(CLI::App &command, SceneOptions &options) {
     command.option_defaults()->group("Device");
     command.add_option("--device", options.device, "OpenCL device whose name contains this");
+    command.add_flag("--untrusted-device", options.untrusted_device,
+                     "take the device even if brandung selftest has found that it may not be trusted");
     command.add_option("--batch", options.batch, "rays per wave")->check(whole_numbers(1u, 1u << 24))->capture_default_str();
     command.add_option("--threads", options.threads, "compute units to use of a CPU (default: all, as 0)")->check(whole_numbers(0u, max_threads));
     command.option_defaults()->group("Options");

@@ -17,7 +17,8 @@ struct SceneOptions {
     std::vector<std::string> settings;  ///< "KEY=VALUE"
     std::optional<uint> spp, seed, max_depth, light_samples;
     uint batch = 32768, threads = 0;
-    bool keep_places = false;  ///< of shapes in their files; no option
+    bool untrusted_device = false;  ///< take one that is known to have failed the self-test
+    bool keep_places = false;       ///< of shapes in their files; no option
 };
 
 /// What a scene is and how it looks. `options` must live until the command has run.

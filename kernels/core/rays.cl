@@ -9,12 +9,7 @@
 
 #include "kernels/core/items.h"
 #include "kernels/core/lanes_1.cl"
-
-/// Axis of the largest component of a direction.
-FUNCTION uint major_axis(vec3 d) {
-    const float x = fabs(d.x), y = fabs(d.y), z = fabs(d.z);
-    return ((x >= y) & (x >= z)) ? 0u : y >= z ? 1u : 2u;
-}
+#include "kernels/core/major_axis.cl"
 
 FUNCTION ray_x8 prepare(Ray ray, float extent) {
     const vec3x8 origin = make3((float8)(ray.origin.x), (float8)(ray.origin.y), (float8)(ray.origin.z));

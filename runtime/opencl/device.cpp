@@ -30,7 +30,9 @@ void describe(const cl::Device &device, DeviceInfo &info) {
     info.name = device.getInfo<CL_DEVICE_NAME>();
     info.platform = cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>()).getInfo<CL_PLATFORM_NAME>();
     info.version = device.getInfo<CL_DEVICE_VERSION>();
+    info.driver = device.getInfo<CL_DRIVER_VERSION>();
     info.unsuitable = why_unsuitable(device);
+    info.doubles = device.getInfo<CL_DEVICE_EXTENSIONS>().find("cl_khr_fp64") != std::string::npos;
     info.cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
     info.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
     info.memory = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();

@@ -13,9 +13,10 @@
 namespace brandung {
 
 struct DeviceInfo {
-    std::string platform, name, version;
+    std::string platform, name, version, driver;
     std::string unsuitable;  ///< why it cannot be used, or empty
     bool cpu = false;
+    bool doubles = false;  ///< has cl_khr_fp64, which only the self-test uses
     uint compute_units = 0;
     std::uint64_t memory = 0, largest_allocation = 0;  ///< [bytes]
 };

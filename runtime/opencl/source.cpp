@@ -13,10 +13,15 @@
 namespace brandung {
 namespace {
 
+/// The file in the folder that KERNEL_DIR names.
+std::ifstream open_in(const char *directory, const std::string &path) {
+    return std::ifstream(std::filesystem::path(directory) / std::filesystem::path(path).lexically_relative("kernels"));
+}
+
 std::string read_kernel(const std::string &path, const Sources &generated) {
     if (const auto file = generated.find(path); file != generated.end()) return file->second;
     if (const char *directory = std::getenv("KERNEL_DIR")) {
-        std::ifstream in(std::filesystem::path(directory) / std::filesystem::path(path).lexically_relative("kernels"));
+        std::ifstream in = open_in(directory, path);
         if (in) return {std::istreambuf_iterator<char>(in), {}};
         throw Error("no such kernel source: " + path + " in KERNEL_DIR=" + directory);
     }
@@ -53,6 +58,21 @@ std::string expand_source(const std::string &path, const Sources &generated) {
     std::string out;
     expand(path, generated, seen, out);
     return out;
+}
+
+std::uint64_t hash_of_kernels() {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    const auto add = [&](char c) { hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u; };
+    for (const EmbeddedFile &file : embedded_kernels()) {
+        std::string text(file.text);
+        if (const char *directory = std::getenv("KERNEL_DIR")) {
+            std::ifstream in = open_in(directory, std::string(file.path));
+            text.assign(std::istreambuf_iterator<char>(in), {});
+        }
+        for (const char c : text) add(c);
+        add('\0');
+    }
+    return hash;
 }
 
 }  // namespace brandung

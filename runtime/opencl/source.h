@@ -1,5 +1,6 @@
 /// Kernel sources: files with their includes expanded into one text.
 #pragma once
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -12,5 +13,8 @@ using Sources = std::map<std::string, std::string>;
 /// Other files are those under kernels/ embedded in the program, or those in the folder that the environment's KERNEL_DIR names.
 /// Throws Error for a file that does not exist.
 std::string expand_source(const std::string &path, const Sources &generated);
+
+/// Of the texts of all kernel files there, where KERNEL_DIR says (FNV-1a, 64 bits). A file that is missing there counts as empty.
+std::uint64_t hash_of_kernels();
 
 }  // namespace brandung

@@ -9,6 +9,7 @@
 #include "tests/kernels/primitives/crossing_probe.h"
 
 namespace brandung {
+namespace {  // of the same names as the self-test's
 
 using real = long double;
 
@@ -65,4 +66,5 @@ inline std::size_t sure_hits(const std::vector<Root> &roots, float t_max) {
     return 0;
 }
 
+}  // namespace
 }  // namespace brandung

@@ -16,6 +16,8 @@ namespace brandung {
 
 extern const PrimitiveKind frustum_kind;
 
+namespace {  // of the same names as the self-test's
+
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
 /// Of random cases in a test.
 inline constexpr std::size_t count = 100'000;
@@ -119,4 +121,5 @@ inline Frustum random_frustum(Random &random, float size, int offset_bits) {
     }
 }
 
+}  // namespace
 }  // namespace brandung

@@ -1,0 +1,53 @@
+/// PrimitiveOracle: the host's side of one kind of primitive in the self-test: inputs that are hard for it, and what is right there, in extended
+/// precision and by formulas that the kernels do not use.
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "kernels/core/items.h"
+#include "runtime/selftest/input_source.h"
+#include "runtime/selftest/roots.h"
+#include "scene/primitives/shape.h"
+
+namespace brandung {
+
+/// One primitive as the kernels see it, rounded: a lane of a block.
+struct Lane {
+    const std::byte *block;
+    uint lane;
+    template <class Block> const Block &as() const { return *reinterpret_cast<const Block *>(block); }
+};
+
+/// A point that rays are aimed at, on the surface or at its edges, and the surface's normal there, to rounding.
+struct Aim {
+    vec3 point, normal;
+};
+
+/// The true unit normal, and how far from it rounding may take the kernel's.
+struct Normal {
+    Vector n;
+    extended error;
+};
+
+class PrimitiveOracle {
+public:
+    virtual ~PrimitiveOracle() = default;
+    virtual const PrimitiveKind &kind() const = 0;
+
+    /// One primitive about so large, at a place; thin, flat, or inside out at times. Null if it would have no surface.
+    virtual std::unique_ptr<Shape> make(InputSource &source, vec3 place, float size) const = 0;
+    virtual Aim aim(InputSource &source, Lane lane) const = 0;
+
+    /// All crossings with the ray's line that the surface shows to it.
+    virtual std::vector<Root> roots(Lane lane, const Ray &ray) const = 0;
+    /// From the surface, extended without its ends, to p; positive on the side to which normals point.
+    virtual extended distance(Lane lane, Vector p) const = 0;
+    /// Of the shape at the ray's point at t. Error of 1 or more: nothing is known.
+    virtual Normal geometric_normal(Lane lane, const Ray &ray, float t) const = 0;
+};
+
+/// One per kind in primitive_kinds(), in its order. Throws std::out_of_range, with the name, if a kind has none.
+const std::vector<const PrimitiveOracle *> &primitive_oracles();
+
+}  // namespace brandung

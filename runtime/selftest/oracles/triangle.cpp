@@ -1,0 +1,123 @@
+/// Triangles in extended precision: t by the plane, inside or not by the projection along the ray; the kernel does both by sheared edge functions.
+#include "kernels/primitives/triangle.h"
+
+#include <array>
+
+#include "runtime/selftest/oracles/oracles.h"
+#include "scene/primitives/kinds.h"
+
+namespace brandung {
+namespace {
+
+using Corners = std::array<vec3, 3>;
+
+Corners corners_of(Lane lane) {
+    const TriangleBlock &block = lane.as<TriangleBlock>();
+    const uint j = lane.lane;
+    return {vec3(block.a[0][j], block.a[1][j], block.a[2][j]), vec3(block.b[0][j], block.b[1][j], block.b[2][j]),
+            vec3(block.c[0][j], block.c[1][j], block.c[2][j])};
+}
+
+Vector normal_of(const Corners &v) { return cross(Vector(v[1]) - Vector(v[0]), Vector(v[2]) - Vector(v[0])); }
+
+/// Square of the distance from the origin to the segment from p to q.
+extended square_to_segment(Vector p, Vector q) {
+    const Vector along = q - p;
+    const extended square = dot(along, along), s = square > 0 ? lesser(greater(-dot(p, along) / square, 0), 1) : 0;
+    const Vector nearest = p + along * s;
+    return dot(nearest, nearest);
+}
+
+/// Rounding, with u = 2^-24 and M the largest coordinate of a vertex seen from the origin: a sheared coordinate is off by 6 u M (two differences,
+/// |shear| <= 1 and its product), so the ray passes a vertex at a distance that is off by 9 u M at most. Within that of an edge anything goes.
+/// z, which is t times the direction's largest component, is the mean of the vertices' z with weights that are right for such vertices to 8 u: the
+/// point lies in the true plane but for (9 + 16) u M, times the plane's slope, which is at most 1 / cosine; and the mean itself is off by 8 u M.
+/// A ray whose cosine is as small as the rounding of the normal lies in the plane, as far as floats can tell: it may be met anywhere in the box.
+class TriangleOracle : public PrimitiveOracle {
+public:
+    const PrimitiveKind &kind() const override { return triangle_kind; }
+
+    std::unique_ptr<Shape> make(InputSource &source, vec3 place, float size) const override {
+        return make_triangle_mesh(0, MeshData{.positions = corners(source, place, size), .indices = {0, 1, 2}});
+    }
+
+    Aim aim(InputSource &source, Lane lane) const override {
+        const Corners v = corners_of(lane);
+        const vec3 n = vec3(glm::normalize(glm::cross(glm::dvec3(v[1]) - glm::dvec3(v[0]), glm::dvec3(v[2]) - glm::dvec3(v[0]))));
+        const uint i = source.below(3);
+        const float s = source.uniform(0, 1);
+        if (source.one_in(8)) return {v[i], n};
+        const vec3 on_edge = v[i] + (v[(i + 1) % 3] - v[i]) * s;
+        if (source.one_in(4)) return {on_edge, n};
+        return {on_edge + (v[(i + 2) % 3] - on_edge) * source.uniform(-0.1, 1), n};
+    }
+
+    std::vector<Root> roots(Lane lane, const Ray &ray) const override {
+        const Corners v = corners_of(lane);
+        const Vector d = ray.direction, o = ray.origin, n = normal_of(v);
+        const std::array<Vector, 3> seen = {Vector(v[0]) - o, Vector(v[1]) - o, Vector(v[2]) - o};
+        const extended dd = dot(d, d), d_length = square_root(dd), u = unit_roundoff, dn = dot(d, n);
+        const extended farthest = greater(largest(seen[0]), greater(largest(seen[1]), largest(seen[2])));
+        const extended cosine = absolute(dn) / (d_length * length(n));
+        const bool in_plane = cosine < 16 * u;
+
+        std::array<Vector, 3> across = seen;
+        for (Vector &w : across) w = w - d * (dot(w, d) / dd);
+        extended to_edges = square_to_segment(across[0], across[1]);
+        to_edges = lesser(to_edges, lesser(square_to_segment(across[1], across[2]), square_to_segment(across[2], across[0])));
+        bool positive = true, negative = true;
+        for (uint i = 0; i < 3; ++i) {
+            const extended side = dot(d, cross(across[i], across[(i + 1) % 3]));
+            positive &= side >= 0, negative &= side <= 0;
+        }
+        const extended doubtful = 9 * u * farthest;
+        const bool inside = positive || negative, near_edge = to_edges <= doubtful * doubtful;
+        if (!(inside || near_edge)) return {};
+        if (in_plane) return {{dot(seen[0], d) / dd, 4 * farthest / d_length, false}};
+        return {{dot(seen[0], n) / dn, u * farthest * (25 / cosine + 14) / d_length, inside && !near_edge}};
+    }
+
+    extended distance(Lane lane, Vector p) const override {
+        const Corners v = corners_of(lane);
+        return dot(p - Vector(v[0]), unit(normal_of(v)));
+    }
+
+    /// The edges are rounded to u of their length, or exact; then n = e x f is off by 4 u |e| |f| in each component, however small |n| is,
+    /// and its direction by 4 sqrt(3) u |e| |f| / |n|; unit() adds 4 u.
+    Normal geometric_normal(Lane lane, const Ray &, float) const override {
+        const Corners v = corners_of(lane);
+        const Vector n = normal_of(v), e = Vector(v[1]) - Vector(v[0]), f = Vector(v[2]) - Vector(v[0]);
+        const extended n_length = length(n);
+        return {n * (1 / n_length), 12 * unit_roundoff * length(e) * length(f) / n_length + 8 * unit_roundoff};
+    }
+
+protected:
+    /// Some slivers, of aspect up to 2^16; some in planes of two axes.
+    static std::vector<vec3> corners(InputSource &source, vec3 place, float size) {
+        const float thin = source.one_in(4) ? source.power_of_two(-16, 0) : 1;
+        vec3 e = source.direction() * size, f = e * source.uniform(0, 1) + source.direction() * (size * thin);
+        if (source.one_in(8)) {
+            const uint axis = source.below(3);
+            e[int(axis)] = f[int(axis)] = 0;
+        }
+        return {place, place + e, place + f};
+    }
+};
+
+class SmoothTriangleOracle final : public TriangleOracle {
+public:
+    const PrimitiveKind &kind() const override { return smooth_triangle_kind; }
+
+    std::unique_ptr<Shape> make(InputSource &source, vec3 place, float size) const override {
+        return make_triangle_mesh(0, MeshData{.positions = corners(source, place, size),
+                                              .normals = {source.direction(), source.direction(), source.direction()},
+                                              .indices = {0, 1, 2}});
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<PrimitiveOracle> make_triangle_oracle() { return std::make_unique<TriangleOracle>(); }
+std::unique_ptr<PrimitiveOracle> make_smooth_triangle_oracle() { return std::make_unique<SmoothTriangleOracle>(); }
+
+}  // namespace brandung

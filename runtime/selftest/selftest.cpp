@@ -1,0 +1,52 @@
+#include "runtime/selftest/selftest.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace brandung {
+namespace {
+
+double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+struct Run {
+    SubjectReport report;
+    std::unique_ptr<Subject> subject;
+};
+
+/// What fails to build or to run has failed, too.
+void run_round(Device &device, Run &run, const SelfTestOptions &options) {
+    SubjectReport &report = run.report;
+    const double start = seconds_now();
+    options.on_round(report.subject->name, report.rounds);
+    try {
+        if (!run.subject) run.subject = report.subject->make(device);
+        report.findings.add(run.subject->examine(report.rounds++));
+        report.fault = report.findings.fault;
+    } catch (const Error &error) {
+        report.fault = error.what();
+    }
+    report.seconds += seconds_now() - start;
+}
+
+bool is_wanted(const SubjectEntry &subject, const std::vector<std::string> &only) {
+    return only.empty() || std::find(only.begin(), only.end(), subject.name) != only.end();
+}
+
+}  // namespace
+
+std::vector<SubjectReport> run_selftest(Device &device, const SelfTestOptions &options) {
+    const double end = seconds_now() + options.seconds;
+    std::vector<Run> runs;
+    for (const SubjectEntry &subject : subjects())
+        if (is_wanted(subject, options.only)) runs.push_back({{.subject = &subject, .findings = {}, .fault = {}}, {}});
+    for (Run &run : runs)
+        for (uint round = 0; round < run.report.subject->rounds && run.report.passed() && !options.stop(); ++round) run_round(device, run, options);
+    while (seconds_now() < end && !options.stop())
+        for (Run &run : runs)
+            if (run.report.passed() && !options.stop()) run_round(device, run, options);
+    std::vector<SubjectReport> reports;
+    for (Run &run : runs) reports.push_back(std::move(run.report));
+    return reports;
+}
+
+}  // namespace brandung

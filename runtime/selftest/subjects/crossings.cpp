@@ -1,0 +1,97 @@
+/// Crossings with every kind of primitive, and the surfaces there.
+#include <fmt/format.h>
+
+#include "runtime/selftest/crossing_kernels.h"
+#include "runtime/selftest/describe.h"
+#include "runtime/selftest/examine.h"
+#include "runtime/selftest/subjects/list.h"
+
+namespace brandung {
+namespace {
+
+constexpr std::size_t inputs_per_round = 1 << 18;
+
+vec3 vector_of(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
+Vector wide(const float (&v)[3]) { return Vector(vector_of(v)); }
+
+class Crossings final : public Subject {
+public:
+    Crossings(Device &device, const PrimitiveOracle &oracle) : device_(device), oracle_(oracle), kernels_(device, oracle.kind()) {}
+
+    Findings examine(uint round) override {
+        const CrossingCases cases = make_cases(oracle_, inputs_per_round, seed_of(1, round, 0), any_placing, any_ray);
+        const auto results = kernels_.in_float(cases);
+        const auto doubles = kernels_.in_double(cases);
+        const auto differences = kernels_.differences(cases);
+        device_.finish();
+        return examine_each(cases.rays.size(), [&](std::size_t i, Findings &findings) {
+            const auto describe = [&](const std::string &what) { return what + describe_case(cases, i, round); };
+            const Verdict verdict = look_at_crossing(cases, i, results[i], findings, describe);
+            if (differences[i] != 0) findings.blame([&] { return describe(difference(differences[i])); });
+            if (!results[i].hit || !verdict.fault.empty()) return;
+            look_at_surface(cases, i, results[i], findings, describe);
+            if (doubles && (*doubles)[i].hit) compare(results[i], (*doubles)[i], verdict, findings);
+        });
+    }
+
+private:
+    static std::string difference(std::uint8_t bits) {
+        return fmt::format("other bits at {} lanes than at one", bits == differs_at_16 ? "16" : bits == differs_at_8 ? "8" : "8 and at 16");
+    }
+
+    template <class Describe>
+    Verdict look_at_crossing(const CrossingCases &cases, std::size_t i, const CrossingResult<float> &result, Findings &findings,
+                             Describe describe) const {
+        const Ray &ray = cases.rays[i];
+        const std::vector<Root> roots = oracle_.roots(cases.lane(i), ray);
+        const Verdict verdict = judge(roots, {result.hit != 0, result.t}, ray.t_max);
+        findings.hits += result.hit;
+        findings.ambiguous += verdict.ambiguous;
+        if (!verdict.fault.empty()) {
+            findings.blame([&] { return describe(verdict.fault); });
+        } else if (result.hit) {
+            const double error = double(absolute(result.t - verdict.nearest)), t = double(verdict.nearest);
+            findings.measure(Quantity::t, error, double(verdict.allowed), ulp_of(t), std::abs(t), [&] { return describe("t is off"); });
+        }
+        return verdict;
+    }
+
+    template <class Describe>
+    void look_at_surface(const CrossingCases &cases, std::size_t i, const CrossingResult<float> &result, Findings &findings,
+                         Describe describe) const {
+        const vec3 n = vector_of(result.geometric);
+        const double off = double(absolute(oracle_.distance(cases.lane(i), wide(result.p))));
+        // Bounds and coordinates that are subnormal are rounded themselves.
+        const double allowed = double(dot(Vector(glm::abs(n)), wide(result.error))) + 0x1p-147, size = double(largest(wide(result.p)));
+        findings.measure(Quantity::position, off, allowed, ulp_of(size), size,
+                         [&] { return describe(fmt::format("the point lies {:.3g} off the surface, and says at most {:.3g}", off, allowed)); });
+        const Normal normal = oracle_.geometric_normal(cases.lane(i), cases.rays[i], result.t);
+        if (!(normal.error < 0.5)) return;  // nothing is known, as at a tip seen from afar
+        const double turned = double(length(Vector(n) - normal.n));
+        findings.measure(Quantity::normal, turned, double(normal.error), 2 * unit_roundoff, 1,
+                         [&] { return describe(fmt::format("the normal is off by {:.3g}, more than {:.3g}", turned, double(normal.error))); });
+    }
+
+    /// Of the same root.
+    static void compare(const CrossingResult<float> &result, const CrossingResult<double> &exact, const Verdict &verdict, Findings &findings) {
+        if (absolute(exact.t - verdict.nearest) > verdict.allowed) return;
+        findings.rounding_of(Quantity::t).add(std::abs(result.t - exact.t), 2 * double(verdict.allowed), ulp_of(exact.t), exact.t);
+    }
+
+    Device &device_;
+    const PrimitiveOracle &oracle_;
+    CrossingKernels kernels_;
+};
+
+}  // namespace
+
+void add_crossings(std::vector<SubjectEntry> &list) {
+    for (const PrimitiveOracle *oracle : primitive_oracles()) {
+        const std::string name = oracle->kind().name;
+        list.push_back({name, "primitives/" + name + "_hit.cl, " + name + ".cl",
+                        "t: 8 ulp or the oracle's conditioning; position: the surface's own error; normal: the oracle's conditioning", 2,
+                        [oracle](Device &device) { return std::make_unique<Crossings>(device, *oracle); }});
+    }
+}
+
+}  // namespace brandung

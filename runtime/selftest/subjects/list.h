@@ -1,0 +1,10 @@
+/// What the list of subjects is made of: every function adds its own to the end.
+#pragma once
+#include "runtime/selftest/subject.h"
+
+namespace brandung {
+
+void add_math(std::vector<SubjectEntry> &list);
+void add_crossings(std::vector<SubjectEntry> &list);
+
+}  // namespace brandung

@@ -1,0 +1,100 @@
+#include "runtime/selftest/trust.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "brandung_version.h"
+#include "runtime/opencl/source.h"
+#include "scene/output.h"
+
+namespace brandung {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+json key_of(const DeviceInfo &device) {
+    return {{"platform", device.platform},
+            {"device", device.name},
+            {"driver", device.driver},
+            {"program", BRANDUNG_VERSION " (" BRANDUNG_GIT ")"},
+            {"kernels", fmt::format("{:016x}", hash_of_kernels())}};
+}
+
+/// All verdicts: [{"key": {...}, "subjects": {name: {"passed", "kernels", "fault"}}}].
+struct Verdicts {
+    json list = json::array();
+    std::string warning;
+};
+
+/// What an entry must have for the rest to rely on it.
+void check_form(const json &list) {
+    for (const json &verdict : list) {
+        verdict.at("key").get<json::object_t>();
+        for (const auto &[name, subject] : verdict.at("subjects").get<json::object_t>())
+            subject.at("passed").get<bool>(), subject.at("kernels").get<std::string>();
+    }
+}
+
+Verdicts read_verdicts(const std::string &file) {
+    std::ifstream in(file);
+    if (!in) return {};
+    try {
+        Verdicts verdicts{json::parse(in), {}};
+        check_form(verdicts.list);
+        return verdicts;
+    } catch (const json::exception &error) {
+        return {json::array(), fmt::format("{}: not understood, so what it says of self-tests is forgotten ({})", file, error.what())};
+    }
+}
+
+/// Null if there is none.
+json *entry_of(json &list, const json &key) {
+    for (json &verdict : list)
+        if (verdict["key"] == key) return &verdict;
+    return nullptr;
+}
+
+}  // namespace
+
+std::string verdicts_file() {
+    const char *cache = std::getenv("XDG_CACHE_HOME"), *home = std::getenv("HOME");
+    if (cache && fs::path(cache).is_absolute()) return fs::path(cache) / "brandung" / "selftest.json";
+    return home && *home ? fs::path(home) / ".cache" / "brandung" / "selftest.json" : fs::path();
+}
+
+Trust known_trust(const DeviceInfo &device) {
+    Verdicts verdicts = read_verdicts(verdicts_file());
+    Trust trust{{}, verdicts.warning};
+    const json *const entry = entry_of(verdicts.list, key_of(device));
+    if (!entry) return trust;
+    for (const auto &[name, subject] : entry->at("subjects").items())
+        if (!subject["passed"])
+            trust.why_not += fmt::format("{}{} (kernels {})", trust.why_not.empty() ? "" : ", ", name, subject["kernels"].get<std::string>());
+    return trust;
+}
+
+std::string remember(const DeviceInfo &device, const std::vector<SubjectReport> &reports) {
+    const std::string file = verdicts_file();
+    if (file.empty()) return "neither XDG_CACHE_HOME nor HOME names a folder, so the verdict is not remembered";
+    Verdicts verdicts = read_verdicts(file);
+    const json key = key_of(device);
+    json *entry = entry_of(verdicts.list, key);
+    if (!entry) entry = &verdicts.list.emplace_back(json{{"key", key}, {"subjects", json::object()}});
+    for (const SubjectReport &report : reports)
+        if (report.rounds > 0 || !report.passed())
+            (*entry)["subjects"][report.subject->name] = {{"passed", report.passed()}, {"kernels", report.subject->file}, {"fault", report.fault}};
+    try {
+        fs::create_directories(fs::path(file).parent_path());
+        write_text(file, verdicts.list.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+    } catch (const std::exception &error) {
+        return fmt::format("the verdict is not remembered: {}", error.what());
+    }
+    return verdicts.warning;
+}
+
+}  // namespace brandung

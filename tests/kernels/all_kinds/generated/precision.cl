@@ -1,0 +1,1 @@
+// The self-test's kernels in float, for lint and editors.

@@ -1,0 +1,127 @@
+/// brandung selftest: verdicts, exit status, and what render makes of them.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/bad_input.h"
+#include "tests/tools/program.h"
+#include "tests/tools/runs.h"
+#include "tests/tools/scenes.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A cache folder of its own, and kernels that can be changed.
+class SelfTest : public testing::Test {
+protected:
+    /// Replaces a part of a kernel file, which must be there, from now on.
+    void plant(const std::string &file, const std::string &right, const std::string &wrong) {
+        if (!fs::exists(folder.path("kernels"))) fs::copy(BRANDUNG_SOURCE_DIR "/kernels", folder.path("kernels"), fs::copy_options::recursive);
+        std::string text = read_file(folder.path("kernels/" + file));
+        const auto place = text.find(right);
+        ASSERT_NE(place, std::string::npos) << right << " in " << file;
+        folder.write("kernels/" + file, text.replace(place, right.size(), wrong));
+        options.environment["KERNEL_DIR"] = folder.path("kernels");
+    }
+    Finished selftest(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), {"selftest", "--quiet"});
+        return run_program(arguments, options);
+    }
+    Finished render(std::vector<std::string> arguments = {}) const {
+        arguments.insert(arguments.begin(),
+                         {"render", folder.write("scene.json", native_scene()), "--quiet", "--size", "8x8", "-o", folder.path("picture.exr")});
+        return run_program(arguments, options);
+    }
+
+    TemporaryFolder folder;
+    RunOptions options{.environment = {{"XDG_CACHE_HOME", folder.path("cache")}}, .signal_when = {}, .out_file = {}};
+};
+
+TEST_F(SelfTest, AGoodDevicePassesAndTheTableSaysWhatWasSeen) {
+    const Finished run = selftest({"--only", "sphere,next_up", "--json"});
+    expect_success(run);
+    EXPECT_EQ(run.err, "");
+    const auto report = nlohmann::json::parse(run.out);
+    EXPECT_TRUE(report["passed"]);
+    ASSERT_EQ(report["subjects"].size(), 2u);
+    const auto &sphere = report["subjects"][1];
+    EXPECT_EQ(sphere["name"], "sphere");
+    EXPECT_GE(sphere["inputs"], 500'000);
+    EXPECT_GT(sphere["hits"], sphere["inputs"].get<int>() / 4);
+    EXPECT_LT(sphere["ambiguous"], sphere["inputs"].get<int>() / 2);
+    for (const char *quantity : {"t", "position", "normal"}) {
+        const auto &errors = sphere["errors"][quantity];
+        EXPECT_GT(errors["well_conditioned"], sphere["hits"].get<int>() / 4) << quantity;
+        EXPECT_GT(errors["mean_ulps"], 0) << quantity;
+        EXPECT_LE(errors["max_of_bound"], 1) << quantity;
+    }
+    if (report["device"]["doubles"]) {
+        EXPECT_GT(sphere["errors"]["t"]["rounding"]["mean_ulps"], 0);
+    }
+}
+
+/// The farther root where the nearer one is in front: no rounding explains that.
+TEST_F(SelfTest, AKernelThatIsWrongIsNamedAndRenderRefusesTheDevice) {
+    plant("primitives/sphere_hit.cl", "where((near > 0.0f) & (radius > 0.0f), near, far)", "where((near > 1.0f) & (radius > 0.0f), near, far)");
+    const Finished run = selftest({"--only", "sphere,next_up"});
+    EXPECT_EQ(run.status, 3);
+    EXPECT_NE(run.out.find("FAILED"), std::string::npos);
+    EXPECT_TRUE(run.err.starts_with("sphere (primitives/sphere_hit.cl, sphere.cl): overlooked t = ")) << run.err;
+
+    expect_failure(render(), 1, {"has failed brandung selftest: sphere (kernels primitives/sphere_hit.cl, sphere.cl)", "--untrusted-device"});
+    expect_success(render({"--untrusted-device"}));
+    options.environment.erase("KERNEL_DIR");
+    expect_success(render());  // those kernels are not known to be wrong
+}
+
+TEST_F(SelfTest, APassForgetsAFailureOfTheSameSubjectOnly) {
+    plant("core/math.cl", "bits + 1u : bits - 1u", "bits + 2u : bits - 1u");
+    EXPECT_EQ(selftest({"--only", "next_up"}).status, 3);
+    expect_success(selftest({"--only", "exponential"}));
+    expect_failure(render(), 1, {"next_up (kernels core/math.cl)"});
+    // The device is at fault now and then.
+    std::string verdicts = read_file(folder.path("cache/brandung/selftest.json"));
+    options.environment.erase("KERNEL_DIR");
+    expect_success(selftest({"--only", "next_up"}));
+    expect_success(render());
+}
+
+TEST_F(SelfTest, AKernelThatDoesNotBuildHasFailed) {
+    plant("core/math.cl", "FUNCTION float next_up", "FUNCTION flaot next_up");
+    const Finished run = selftest({"--only", "next_up"});
+    EXPECT_EQ(run.status, 3);
+    EXPECT_NE(run.err.find("does not build"), std::string::npos);
+}
+
+TEST_F(SelfTest, ABrokenFileOfVerdictsIsOneWarning) {
+    fs::create_directories(folder.path("cache/brandung"));
+    for (const char *text : {"{", "[1]", "[{\"key\": {}, \"subjects\": {\"sphere\": {\"passed\": 1, \"kernels\": \"\"}}}]", "3"}) {
+        folder.write("cache/brandung/selftest.json", text);
+        const Finished run = render();
+        expect_success(run);
+        EXPECT_TRUE(run.err.starts_with("warning: " + folder.path("cache/brandung/selftest.json") + ": not understood")) << run.err;
+        EXPECT_EQ(lines_of(run.err).size(), 1u) << run.err;
+    }
+    const Finished run = selftest({"--only", "next_up"});
+    expect_success(run);
+    EXPECT_TRUE(run.err.starts_with("warning: ")) << run.err;
+    EXPECT_EQ(selftest({"--only", "next_up"}).err, "");
+}
+
+TEST_F(SelfTest, AVerdictThatCannotBeRememberedIsAWarning) {
+    options.environment["XDG_CACHE_HOME"] = "/proc/nowhere";
+    options.environment["POCL_CACHE_DIR"] = folder.path("pocl");
+    const Finished run = selftest({"--only", "next_up"});
+    expect_success(run);
+    EXPECT_TRUE(run.err.starts_with("warning: the verdict is not remembered: ")) << run.err;
+}
+
+TEST_F(SelfTest, WrongUsage) {
+    expect_failure(selftest({"--only", "spheer"}), 2, {"there is no subject 'spheer'", "sphere, triangle"});
+    expect_failure(selftest({"--long", "-1"}), 2, {"--long", "seconds"});
+    expect_failure(selftest({"--device", "no such"}), 1, {"no suitable OpenCL device"});
+}
+
+}  // namespace
