@@ -6,18 +6,19 @@
 namespace brandung {
 namespace {
 
-void expect_no_faults(std::uint64_t seed, Scene scene, bool specialised) {
-    for (const std::string &fault : faults_of(scene, specialised)) ADD_FAILURE() << "seed " << seed << ": " << fault;
+void expect_no_faults(std::uint64_t seed, Scene scene, bool specialised, Scene *scaled = nullptr) {
+    for (const std::string &fault : faults_of(scene, specialised, scaled)) ADD_FAILURE() << "seed " << seed << ": " << fault;
 }
 
 }  // namespace
 
 /// With one filter and one kind of shadows, so that all take the same kernels.
-TEST(RandomScenes, AreTheSameForEveryAcceleratorAndBatch) {
+TEST(RandomScenes, AreTheSameForEveryAcceleratorBatchAndScale) {
     for (std::uint64_t seed = 100; seed < 200; ++seed) {
-        Scene scene = read_random_scene(seed);
-        scene.film.filter = 0, scene.integrator.filtered_shadows = true;
-        expect_no_faults(seed, std::move(scene), false);
+        Scene scene = read_random_scene(seed), scaled = read_random_scene(seed, 0x1p-10);
+        for (Scene *which : {&scene, &scaled}) which->film.filter = 0, which->integrator.filtered_shadows = true;
+        const bool scalable = is_scalable(scene);
+        expect_no_faults(seed, std::move(scene), false, scalable ? &scaled : nullptr);
     }
 }
 

@@ -31,7 +31,8 @@ void try_seed(std::uint64_t seed, bool specialised, Outcome &outcome) {
     ++outcome.tried;
     try {
         Scene scene = read_random_scene(seed);
-        const std::vector<std::string> faults = faults_of(scene, specialised);
+        Scene scaled = read_random_scene(seed, 0x1p10);
+        const std::vector<std::string> faults = faults_of(scene, specialised, is_scalable(scene) ? &scaled : nullptr);
         outcome.faulty += !faults.empty();
         for (const std::string &fault : faults) fmt::print("seed {}: {}\n", seed, fault);
     } catch (const SceneError &error) {

@@ -1,5 +1,7 @@
 #include "tests/support/random_scenes/random_scene.h"
 
+#include <array>
+
 namespace brandung {
 namespace {
 
@@ -86,21 +88,29 @@ nlohmann::ordered_json random_material(Dice &dice, uint number) {
 }
 
 nlohmann::ordered_json random_light(Dice &dice, const RandomSpace &space) {
+    const double unit = space.unit;
     const Json place = random_point(dice, space, dice.pick({1.0, 3.0, 100.0})), way = random_direction(dice);
     if (dice.chance(25)) return {{"type", "directional"}, {"direction", way}, {"irradiance", colour(dice, 3)}};
-    Json light = {{"type", "point"}, {"position", place}, {"intensity", colour(dice, 30 * space.unit * space.unit)}};
+    Dice again = dice;
+    Json light = {{"type", "point"}, {"position", place}, {"intensity", colour(dice, 30 * unit * unit)}};
     if (dice.chance(50)) {
         light["type"] = "spot", light["direction"] = way;
         light["angle"] = dice.pick({0.1, 40.0, 60.0, 180.0, 300.0, 360.0});
         light["penumbra"] = dice.pick({0.0, 0.2, 1.0});
     }
-    if (dice.chance(30)) light["attenuation"] = dice.pick<Json>({{1, 0, 0}, {0, 1, 0}, {1, 0.5, 0.25}, {0, 0, 1}});
+    if (dice.chance(30)) {
+        light["intensity"] = colour(again, 30 * unit);
+        const auto [constant, linear, quadratic] = dice.pick<std::array<double, 3>>({{1, 0, 0}, {0, 1, 0}, {1, 0.5, 0.25}, {0, 0, 1}});
+        light["attenuation"] = {constant * unit, linear, quadratic / unit};
+    }
     return light;
 }
 
-nlohmann::ordered_json random_scene(std::uint64_t seed) {
+nlohmann::ordered_json random_scene(std::uint64_t seed, double scale) {
     Dice dice(seed);
-    const RandomSpace where = space(dice);
+    RandomSpace where = space(dice);
+    where.unit *= scale;
+    for (double &x : where.offset) x *= scale;
     Json scene = {{"film", film(dice)}, {"integrator", integrator(dice)}, {"background", background(dice)}, {"ambient", colour(dice, 0.3)}};
     const uint materials = 1 + dice.below(5);
     for (uint i = 0; i < materials; ++i) scene["materials"].push_back(random_material(dice, i));

@@ -9,7 +9,8 @@ namespace brandung {
 
 /// A scene file in the native format; the same for a seed everywhere. It names the pictures "tiles.png" and "sky.png" and the mesh "vase.obj" beside
 /// it.
-nlohmann::ordered_json random_scene(std::uint64_t seed);
+/// All lengths but those of that mesh are `scale` times as large, and lights so much brighter that the picture is the same.
+nlohmann::ordered_json random_scene(std::uint64_t seed, double scale = 1);
 
 /// Where things are: about the origin, or far from it, in any unit of length.
 struct RandomSpace {

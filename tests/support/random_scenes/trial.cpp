@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -40,17 +41,17 @@ std::string described(const Rendering &rendering) {
 
 }  // namespace
 
-Scene read_random_scene(std::uint64_t seed) {
+Scene read_random_scene(std::uint64_t seed, double scale) {
     static const Folder folder;
     const fs::path file = folder.path() / "scene.json";
-    std::ofstream(file) << random_scene(seed).dump(1);
+    std::ofstream(file) << random_scene(seed, scale).dump(1);
     return read_scene(file);
 }
 
-std::vector<std::string> faults_of(Scene &scene, bool specialised) {
+std::vector<std::string> faults_of(Scene &scene, bool specialised, Scene *scaled) {
     std::vector<std::string> faults;
     std::string expected;
-    const auto expect_the_same = [&](const std::string &how, const RenderOptions &options, Kinds kinds) {
+    const auto expect_the_same = [&](const std::string &how, const Scene &scene, const RenderOptions &options, Kinds kinds) {
         const Rendering rendering = render_scene(scene, options, kinds);
         const std::string what = described(rendering);
         if (rendering.refused > 0) faults.push_back(fmt::format("{}: {} contributions are not finite", how, rendering.refused));
@@ -60,11 +61,16 @@ std::vector<std::string> faults_of(Scene &scene, bool specialised) {
     uint batch = 1000;
     for (const AcceleratorKind &accelerator : accelerator_kinds()) {
         scene.accelerator = accelerator.name;
-        expect_the_same(fmt::format("{}, batch {}", accelerator.name, batch), {.batch = batch}, Kinds::all);
+        expect_the_same(fmt::format("{}, batch {}", accelerator.name, batch), scene, {.batch = batch}, Kinds::all);
         batch = 97;
     }
-    if (specialised) expect_the_same(fmt::format("{}, kernels of the scene", scene.accelerator), {.batch = 1000}, Kinds::in_use);
+    if (scaled) expect_the_same("scaled", *scaled, {.batch = 1000}, Kinds::all);
+    if (specialised) expect_the_same(fmt::format("{}, kernels of the scene", scene.accelerator), scene, {.batch = 1000}, Kinds::in_use);
     return faults;
+}
+
+bool is_scalable(const Scene &scene) {
+    return std::none_of(scene.files.begin(), scene.files.end(), [](const std::string &file) { return file.ends_with(".obj"); });
 }
 
 }  // namespace brandung
