@@ -213,3 +213,19 @@ TEST_P(GlassBall, BendsRaysAsSnellSays) {
 
 INSTANTIATE_TEST_SUITE_P(Glass, GlassBall, testing::Combine(testing::Values(1.0f, 1.33f, 1.5f, 2.0f), testing::Bool()),
                          [](const auto &info) { return "Case" + std::to_string(info.index); });
+
+/// Without Fresnel's law weights do not depend on the angle, but what cannot be refracted is mirrored: an eye below water sees even light as it is,
+/// at every angle. The picture of 80 degrees goes beyond the critical angle, of 48.8 degrees, on both sides of its middle.
+TEST(Glass, WaterWithoutFresnelsLawMirrorsTotallyWhatItCannotRefract) {
+    Scene scene = scene_seen_from({0, -1, 0}, {0, 0, 1}, 80);
+    scene.background = Spectrum(1);
+    Material water = make_material(Whitted{.reflection = Spectrum(0.25f), .transmission = Spectrum(0.75f), .exponent = 1});
+    water.eta = 1.33f;
+    add_floor(scene, add_material(scene, water), 1000, 0);
+    scene.cameras[0].inside = {scene.materials[0].name};
+    const Rendering rendering = render_scene(scene);
+    const std::uint64_t hits = rendering.counts.hits[RAY_CAMERA];
+    EXPECT_GT(rendering.counts.rays[RAY_REFRACTED], hits / 10) << "some are refracted";
+    EXPECT_LT(rendering.counts.rays[RAY_REFRACTED], hits - hits / 10) << "some are not";
+    for (const vec3 &pixel : rendering.picture) ASSERT_EQ(pixel, vec3(1));
+}

@@ -55,6 +55,21 @@ TEST(Traps, TableLitOnlyByAMirrorStaysDark) {
         ASSERT_EQ(pixel, vec3(0.125f)) << "ambient light 1/4 times reflectance 1/2, and nothing else";
 }
 
+/// A point light on a sloping ceiling: no ray to it, however long, meets the ceiling around it, though rounding puts its end on either side.
+TEST(Traps, ALightInTheCeilingShines) {
+    for (const float far : {0.0f, 7.3f, 411.7f}) {
+        Scene scene = scene_seen_from({far + 0.1f, far + 0.3f, far + 0.2f}, {far, far - 1, far}, 90);
+        const uint matte_one = add_material(scene, matte(0.5f));
+        add_floor(scene, matte_one, 2000, -1);
+        const vec3 lamp(far + 0.7f, far + 0.9f, far - 0.4f), along(1, 0.3f, 0.2f), across(-0.1f, 0.2f, 1);
+        scene.lights.push_back(point_light(lamp, Spectrum(10)));
+        add_quad(scene, matte_one, lamp - along - across, lamp + along - across, lamp + along + across, lamp - along + across);
+        const Rendering rendering = render_scene(scene);
+        EXPECT_GT(rendering.counts.rays[RAY_SHADOW], 1000u);
+        EXPECT_EQ(rendering.counts.hits[RAY_SHADOW], 0u) << far;
+    }
+}
+
 TEST(Traps, TheLampDoesShineOnThatMirror) {
     for (const vec3 &pixel : render_scene(lamp_and_table(false, false)).picture)
         ASSERT_GT(pixel.x, 0.05f) << "a matte wall in the mirror's place is lit";
