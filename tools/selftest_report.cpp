@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char *row = "{:<22}{:>10}{:>10}{:>10}{:>7}  {:<9}{:>10}{:>10}{:>10}{:>10}{:>9}{:>10}{:>10}\n";
+constexpr const char *row = "{:<25}{:>10}{:>10}{:>10}{:>7}  {:<9}{:>10}{:>10}{:>10}{:>10}{:>9}{:>10}{:>10}\n";
 
 std::string number(double x) { return fmt::format("{:.3g}", x); }
 double mean(double sum, std::uint64_t count) { return count ? sum / double(count) : 0; }

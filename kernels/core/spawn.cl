@@ -4,6 +4,13 @@
 #include "kernels/core/lanes_1.cl"
 #include "kernels/core/math.cl"
 
+/// How far a surface of this radius of curvature bends away from its tangent plane where a ray begins that leaves p: rounding moves it to the side by
+/// up to 1.5 ulp of each of two coordinates, at most 2^-22 of the largest one, and by half its square over the radius.
+FUNCTION float bend(vec3 p, float radius) {
+    const float aside = 0x1p-22f * largest(absolute(p));
+    return aside * aside / maximum(maximum(radius, aside), 0x1p-126f);
+}
+
 FUNCTION float away(float value, float direction) {
     const float up = next_up(value), down = next_down(value);
     return direction > 0.0f ? up : direction < 0.0f ? down : value;

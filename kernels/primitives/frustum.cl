@@ -4,6 +4,7 @@
 #include "kernels/core/items.h"
 #include "kernels/core/math.cl"
 #include "kernels/core/scene.cl"
+#include "kernels/core/spawn.cl"
 #include "kernels/primitives/frustum.h"
 #include "kernels/primitives/surface.h"
 
@@ -30,7 +31,8 @@ FUNCTION Surface frustum_surface(Scene scene, const global ShadingRecord *record
     Surface surface;
     surface.p = plus(frustum.center, plus(scaled(frustum.axis, place), scaled(outward, radius)));
     const float size = fabs(place) + radius;
-    surface.error = scaled(plus(absolute(frustum.center), make3(size, size, size)), 0x1p-21f);
+    const float bent = bend(surface.p, radius);
+    surface.error = plus(scaled(plus(absolute(frustum.center), make3(size, size, size)), 0x1p-21f), make3(bent, bent, bent));
     surface.geometric = unit(minus(outward, scaled(frustum.axis, frustum.slope)));
     surface.normal = surface.geometric;
     return surface;

@@ -4,6 +4,7 @@
 #include "kernels/core/items.h"
 #include "kernels/core/math.cl"
 #include "kernels/core/scene.cl"
+#include "kernels/core/spawn.cl"
 #include "kernels/primitives/sphere.h"
 #include "kernels/primitives/surface.h"
 
@@ -29,7 +30,9 @@ FUNCTION Surface sphere_surface(Scene scene, const global ShadingRecord *record,
     const vec3 p = plus(sphere.center, scaled(surface.geometric, radius));
     surface.p = minus(p, scaled(surface.geometric, sphere_surface_offset(sphere.center, radius, p) / (2.0f * radius)));
     // The difference's own rounding; and of the first point's error, 2^-21 of its terms, the correction leaves 2^-21, the offset's rounding less.
-    surface.error = plus(scaled(absolute(surface.p), 0x1p-22f), scaled(plus(absolute(sphere.center), make3(radius, radius, radius)), 0x1p-38f));
+    const float bent = bend(surface.p, radius);
+    surface.error = plus(scaled(absolute(surface.p), 0x1p-22f),
+                         plus(scaled(plus(absolute(sphere.center), make3(radius, radius, radius)), 0x1p-38f), make3(bent, bent, bent)));
     return surface;
 }
 

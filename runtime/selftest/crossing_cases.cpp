@@ -100,6 +100,14 @@ Ray any_ray(InputSource &source, Aim aim, float size) {
     }
 }
 
+Ray meeting_ray(InputSource &source, Aim aim, float size) {
+    const vec3 inside = aim.point - aim.normal * (size * source.uniform(0, 1)),
+               outside = aim.point + source.direction() * (size * source.uniform(1, 100));
+    const vec3 origin = source.one_in(2) ? inside : outside;
+    const vec3 direction = origin == aim.point ? aim.normal : from_to(origin, aim.point);
+    return {.origin = origin, .t_max = infinity, .direction = direction, .tag = RAY_TAG(RAY_CAMERA, NO_HIT)};
+}
+
 CrossingCases make_cases(const PrimitiveOracle &oracle, std::size_t count, std::uint64_t seed, ChoosePlacing placing, ChooseRay ray) {
     const std::size_t block_bytes = oracle.kind().block_bytes;
     std::vector<std::unique_ptr<Shape>> shapes(count);

@@ -38,5 +38,7 @@ Placing any_placing(InputSource &source);
 /// From near, far, inside and on the surface; grazing, axis-parallel, with subnormal components, or aimed at nothing; of any length, and with or
 /// without an end near the aim.
 Ray any_ray(InputSource &source, Aim aim, float size);
+/// Of unit length, from up to 100 sizes away, or from within.
+Ray meeting_ray(InputSource &source, Aim aim, float size);
 
 }  // namespace brandung

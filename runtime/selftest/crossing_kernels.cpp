@@ -61,6 +61,8 @@ Sources one_kind(const PrimitiveKind &kind, bool in_double) {
             {"generated/primitive_surfaces.cl", "#pragma once\n" + path + ".cl\"\n"}};
 }
 
+NormalsOnly::NormalsOnly(Device &device, const CrossingCases &cases) : header_(device, 1), normals_(device, cases.normals) { header_.fill_zero(); }
+
 CrossingKernels::CrossingKernels(Device &device, const PrimitiveKind &kind)
     : device_(device),
       crossings_(device, crossings_file, "test_crossings", one_kind(kind)),
@@ -70,7 +72,7 @@ CrossingKernels::CrossingKernels(Device &device, const PrimitiveKind &kind)
 
 std::vector<CrossingResult<float>> CrossingKernels::in_float(const CrossingCases &cases) {
     Buffer<CrossingResult<float>> results(device_, cases.rays.size());
-    crossings_(cases.rays.size(), empty_header(device_), Buffer<VertexNormals>(device_, cases.normals), Buffer<std::byte>(device_, cases.blocks),
+    crossings_(cases.rays.size(), NormalsOnly(device_, cases), Buffer<std::byte>(device_, cases.blocks),
                Buffer<ShadingRecord>(device_, cases.records), Buffer<float>(device_, cases.extents), Buffer<Ray>(device_, cases.rays),
                count_of(cases), results);
     return results.read();

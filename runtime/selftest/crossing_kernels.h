@@ -35,6 +35,17 @@ private:
     std::optional<Kernel> crossings_in_double_;
 };
 
+/// SCENE_PARAMS of a scene that has nothing but the cases' normals.
+class NormalsOnly {
+public:
+    NormalsOnly(Device &device, const CrossingCases &cases);
+    template <class Bind> void for_each_argument(Bind bind) const { bind(header_), bind(normals_); }
+
+private:
+    Buffer<SceneHeader> header_;
+    Buffer<VertexNormals> normals_;
+};
+
 /// The generated files that these kernels need: of this kind, in float or double.
 Sources one_kind(const PrimitiveKind &kind, bool in_double = false);
 

@@ -7,8 +7,6 @@
 namespace brandung {
 namespace {
 
-std::string text_of(vec3 v) { return fmt::format("({:a}, {:a}, {:a})", v.x, v.y, v.z); }
-
 /// The lane's value in every column of floats.
 std::string columns_of(const CrossingCases &cases, std::size_t i) {
     const Lane lane = cases.lane(i);
@@ -22,6 +20,8 @@ std::string columns_of(const CrossingCases &cases, std::size_t i) {
 }
 
 }  // namespace
+
+std::string text_of(vec3 v) { return fmt::format("({:a}, {:a}, {:a})", v.x, v.y, v.z); }
 
 std::string describe_case(const CrossingCases &cases, std::size_t i, uint round) {
     const Ray &ray = cases.rays[i];

@@ -12,8 +12,9 @@ void Errors::add(double error, double allowed, double ulp, double magnitude) {
     raise(max_of_bound, error == 0 ? 0 : error / allowed);
     if (!(allowed <= 0x1p-12 * magnitude)) return;
     ++well_conditioned;
-    raise(max_ulps, error / ulp), raise(max_relative, error / magnitude);
-    sum_ulps += error / ulp, sum_relative += error / magnitude;
+    const double relative = error == 0 ? 0 : error / magnitude;
+    raise(max_ulps, error / ulp), raise(max_relative, relative);
+    sum_ulps += error / ulp, sum_relative += relative;
 }
 
 void Errors::add(const Errors &more) {

@@ -6,10 +6,11 @@
 
 namespace brandung {
 
-/// What errors are measured of. Positions: distances from the true surface; normals: between unit vectors, in ulp of 1.
-enum class Quantity { value, t, position, normal };
-inline constexpr std::size_t quantities = 4;
-inline constexpr std::array<const char *, quantities> quantity_names = {"value", "t", "position", "normal"};
+/// What errors are measured of. Positions: distances from the true surface; normals: between unit vectors, in ulp of 1;
+/// offsets: of the beginnings of rays from the surface that they leave.
+enum class Quantity { value, t, position, normal, offset };
+inline constexpr std::size_t quantities = 5;
+inline constexpr std::array<const char *, quantities> quantity_names = {"value", "t", "position", "normal", "offset"};
 
 /// Errors of one quantity.
 struct Errors {

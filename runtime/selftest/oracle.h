@@ -43,8 +43,12 @@ public:
     virtual std::vector<Root> roots(Lane lane, const Ray &ray) const = 0;
     /// From the surface, extended without its ends, to p; positive on the side to which normals point.
     virtual extended distance(Lane lane, Vector p) const = 0;
-    /// Of the shape at the ray's point at t. Error of 1 or more: nothing is known.
-    virtual Normal geometric_normal(Lane lane, const Ray &ray, float t) const = 0;
+    /// Where the ray has t, in the kernel's opinion. An error of 1 or more says that nothing is known.
+    virtual Normal normal_on(Lane lane, const Ray &ray, float t) const = 0;
+    /// At a point that a kernel has put onto the surface.
+    virtual Normal normal_at(Lane lane, Vector p) const = 0;
+    /// How far it is from such a point to where the inside ends, or another part of the surface is, at least.
+    virtual extended room(Lane lane, Vector p) const = 0;
 };
 
 /// One per kind in primitive_kinds(), in its order. Throws std::out_of_range, with the name, if a kind has none.

@@ -7,6 +7,8 @@
 namespace brandung {
 namespace {
 
+extended allowed_at(const Root &root) { return greater(root.error, 8 * ulp_of(root.t)); }
+
 bool surely_within(const Root &root, float t_max) { return root.sure && root.t > root.error && root.t + root.error < t_max; }
 
 std::string text_of(const Root &root) { return fmt::format("{:.9g} +- {:.2g}{}", double(root.t), double(root.error), root.sure ? "" : "?"); }
@@ -40,14 +42,14 @@ Verdict judge(const std::vector<Root> &roots, Crossed crossed, float t_max) {
     }
     bool known = !crossed.hit;
     for (const Root &root : roots) {
-        const extended error = absolute(crossed.t - root.t), allowed = greater(root.error, 8 * ulp_of(root.t));
+        const extended error = absolute(crossed.t - root.t), allowed = allowed_at(root);
         if (!crossed.hit || error > allowed) continue;
         if (!known || error < absolute(crossed.t - verdict.nearest)) verdict.nearest = root.t, verdict.allowed = allowed;
         known = true;
     }
     if (!known) verdict.fault = fmt::format("made up t = {:.9g}; there are {}", crossed.t, text_of(roots));
     for (const Root &root : roots)
-        if (known && surely_within(root, t_max) && (!crossed.hit || root.t + root.error < crossed.t))
+        if (known && surely_within(root, t_max) && (!crossed.hit || root.t + allowed_at(root) < crossed.t))
             verdict.fault = crossed.hit ? fmt::format("overlooked t = {} before {:.9g}", text_of(root), crossed.t)
                                         : fmt::format("overlooked t = {}", text_of(root));
     return verdict;

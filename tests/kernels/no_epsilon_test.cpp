@@ -60,6 +60,8 @@ const SmallNumber small_numbers[] = {
     {"kernels/core/lane_ray.cl", "0x1p-60f", "stands for a direction's component of 0: the comment above it"},
     {"kernels/core/random.cl", "0x1p-24f", "the unit of 24 random bits"},
     {"kernels/core/refraction.cl", "0x1p-126f", "the least normal number instead of 0: the comment beside it"},
+    {"kernels/core/spawn.cl", "0x1p-126f", "the least normal number instead of 0, for a tip of radius 0 at the origin"},
+    {"kernels/core/spawn.cl", "0x1p-22f", "rounding of a spawned ray's origin: bend's comment"},
     {"kernels/core/spawn.cl", "0x1p-21f", "rounding of a shadow ray's two ends: ray_to_light's comment"},
     {"kernels/lights/emission.cl", "0x1p-20f", "rounding of a shadow ray's two ends: emission_sample's comment"},
     {"kernels/lights/emissive_mesh.cl", "0x1p-16f", "unit: steps of Morton's curve"},

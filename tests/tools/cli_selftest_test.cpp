@@ -76,6 +76,14 @@ TEST_F(SelfTest, AKernelThatIsWrongIsNamedAndRenderRefusesTheDevice) {
     expect_success(render());  // those kernels are not known to be wrong
 }
 
+/// A compiler that makes one operation of two, against the source's word.
+TEST_F(SelfTest, ContractionIsFound) {
+    plant("core/portable.h", "FP_CONTRACT OFF", "FP_CONTRACT ON");
+    const Finished run = selftest({"--only", "multiply_then_add"});
+    EXPECT_EQ(run.status, 3);
+    EXPECT_TRUE(run.err.starts_with("multiply_then_add (core/portable.h): ")) << run.err;
+}
+
 TEST_F(SelfTest, APassForgetsAFailureOfTheSameSubjectOnly) {
     plant("core/math.cl", "bits + 1u : bits - 1u", "bits + 2u : bits - 1u");
     EXPECT_EQ(selftest({"--only", "next_up"}).status, 3);

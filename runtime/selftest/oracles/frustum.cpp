@@ -105,11 +105,24 @@ public:
     }
 
     /// The point that is put back, o + t d - c, is off by 8 u (|f| + t |d|), and its direction from the axis by that over its distance from the axis.
-    Normal geometric_normal(Lane lane, const Ray &ray, float t) const override {
+    Normal normal_on(Lane lane, const Ray &ray, float t) const override {
         const Frustum record = frustum_of(lane);
         const Vector f = Vector(ray.origin) - record.center, d = ray.direction, there = f + d * t, axis = record.unit_axis();
         const extended error = 16 * unit_roundoff * (length(f) + t * length(d)) / record.across(there) + 8 * unit_roundoff;
         return {unit(unit(there - axis * dot(there, axis)) - axis * record.slope), error};
+    }
+
+    /// p is put together from the centre, a place on the axis and the way outward, as the kernel has it; its coordinates' rounding turns that.
+    Normal normal_at(Lane lane, Vector point) const override {
+        const Frustum record = frustum_of(lane);
+        const Vector p = point - record.center, axis = record.unit_axis();
+        const extended size = largest(point) + largest(record.center) + record.half_length + record.radius;
+        return {unit(unit(p - axis * dot(p, axis)) - axis * record.slope), 16 * unit_roundoff * size / record.across(p) + 8 * unit_roundoff};
+    }
+
+    extended room(Lane lane, Vector point) const override {
+        const Frustum record = frustum_of(lane);
+        return record.across(point - record.center);
     }
 };
 

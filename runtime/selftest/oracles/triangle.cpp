@@ -82,14 +82,18 @@ public:
         return dot(p - Vector(v[0]), unit(normal_of(v)));
     }
 
+    Normal normal_on(Lane lane, const Ray &, float) const override { return normal_at(lane, Vector(0, 0, 0)); }
+
     /// The edges are rounded to u of their length, or exact; then n = e x f is off by 4 u |e| |f| in each component, however small |n| is,
     /// and its direction by 4 sqrt(3) u |e| |f| / |n|; unit() adds 4 u.
-    Normal geometric_normal(Lane lane, const Ray &, float) const override {
+    Normal normal_at(Lane lane, Vector) const override {
         const Corners v = corners_of(lane);
         const Vector n = normal_of(v), e = Vector(v[1]) - Vector(v[0]), f = Vector(v[2]) - Vector(v[0]);
         const extended n_length = length(n);
         return {n * (1 / n_length), 12 * unit_roundoff * length(e) * length(f) / n_length + 8 * unit_roundoff};
     }
+
+    extended room(Lane, Vector) const override { return std::numeric_limits<double>::infinity(); }
 
 protected:
     /// Some slivers, of aspect up to 2^16; some in planes of two axes.

@@ -65,7 +65,9 @@ private:
         const double allowed = double(dot(Vector(glm::abs(n)), wide(result.error))) + 0x1p-147, size = double(largest(wide(result.p)));
         findings.measure(Quantity::position, off, allowed, ulp_of(size), size,
                          [&] { return describe(fmt::format("the point lies {:.3g} off the surface, and says at most {:.3g}", off, allowed)); });
-        const Normal normal = oracle_.geometric_normal(cases.lane(i), cases.rays[i], result.t);
+        if (!(allowed <= 0x1p-18 * cases.extents[i] + 0x1p-147))
+            findings.blame([&] { return describe(fmt::format("the point says that it may lie {:.3g} off, which is of no use", allowed)); });
+        const Normal normal = oracle_.normal_on(cases.lane(i), cases.rays[i], result.t);
         if (!(normal.error < 0.5)) return;  // nothing is known, as at a tip seen from afar
         const double turned = double(length(Vector(n) - normal.n));
         findings.measure(Quantity::normal, turned, double(normal.error), 2 * unit_roundoff, 1,

@@ -1,4 +1,5 @@
-/// The kernels' own elementary functions against long double's, whose 64 bits of mantissa leave 2^-40 ulp of a float.
+/// Functions of numbers. Single operations, which must be those of IEEE 754 and stay single, against the host's; all others against long double's,
+/// whose 64 bits of mantissa leave 2^-40 ulp of a float.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,18 +16,24 @@
 namespace brandung {
 namespace {
 
-constexpr const char *file = "kernels/selftest/math.cl";
 constexpr std::size_t inputs_per_round = 1 << 20;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 using Arguments = std::array<float, 4>;
 
+/// Sum of these; all 0: to the last bit.
+struct Bound {
+    double ulps = 0;  ///< of the exact result
+    double absolute = 0;
+    double roundings = 0;                                                        ///< of the terms that it is made of, half an ulp each,
+    double (*terms)(const Arguments &) = [](const Arguments &) { return 0.0; };  ///< which sum to this
+};
+
 struct Function {
-    const char *name;
+    const char *name, *file;
     long double (*exact)(const Arguments &);
-    double bound;        ///< as kernels/core says it
-    bool bound_is_ulps;  ///< of the result, or an absolute error
-    /// Number `index` of a round's arguments; rounds * inputs_per_round go through all floats where there is one argument.
+    Bound bound;  ///< as the kernel's comment says it
+    /// Number `index` of all rounds' arguments.
     Arguments (*arguments)(InputSource &source, std::uint64_t index);
 };
 
@@ -39,14 +46,20 @@ Arguments any_one(InputSource &, std::uint64_t index) {
     return {std::bit_cast<float>(static_cast<std::uint32_t>(bits))};
 }
 
-Arguments unit_interval(InputSource &source, std::uint64_t) {
-    if (source.one_in(4)) return {source.below(9) / 8.0f + (source.one_in(2) ? 0 : -0x1p-24f * source.below(2))};
-    return {source.uniform(0, 1)};
+/// Of any size, subnormal ones too; sums that cancel all but the last digits of a product.
+Arguments for_arithmetic(InputSource &source, std::uint64_t) {
+    const auto number = [&] {
+        if (source.one_in(16)) return source.subnormal();
+        return source.one_in(4) ? source.any_float() : source.sign() * source.power_of_two(-30, 30);
+    };
+    const float a = number(), b = number();
+    return {a, b, source.one_in(2) ? -(a * b) : number()};
 }
-Arguments in_unit_interval(InputSource &source, std::uint64_t index) {
-    Arguments arguments = unit_interval(source, index);
-    arguments[0] = std::clamp(arguments[0], 0.0f, 1.0f);
-    return arguments;
+
+/// And the eighths, where the quarters meet, with their neighbours.
+Arguments for_turn(InputSource &source, std::uint64_t) {
+    const float eighth = source.below(9) / 8.0f, beside = eighth + float(int(source.below(3)) - 1) * 0x1p-24f;
+    return {source.one_in(4) ? std::clamp(beside, 0.0f, 1.0f) : source.uniform(0, 1)};
 }
 
 /// With log2(x^y) in [low, high).
@@ -97,25 +110,81 @@ Arguments for_products(InputSource &source, std::uint64_t) {
     return {a, b, c, source.one_in(2) ? quotient * (1 + source.uniform(-1, 1) * source.power_of_two(-24, 0)) : quotient};
 }
 
-/// Turns are reduced exactly first.
+/// Cosines from grazing to normal incidence, media from alike to far apart, and angles about that of total reflection.
+Arguments for_refraction(InputSource &source, std::uint64_t) {
+    const float eta = source.one_in(4) ? 1 + source.sign() * source.power_of_two(-24, -1) : source.power_of_two(-3, 3);
+    const double critical = std::sqrt(std::max(0.0, 1 - 1 / (double(eta) * eta)));
+    const float cosines[] = {source.uniform(0, 1), source.power_of_two(-40, 0), 1 - source.power_of_two(-24, 0),
+                             float(critical * (1 + source.uniform(-1, 1) * source.power_of_two(-24, -1)))};
+    return {std::clamp(source.one_in(64) ? float(source.below(2)) : cosines[source.below(4)], 0.0f, 1.0f), eta};
+}
+
+/// For the squared cosine beyond that the other function gives there, but for rounding.
+Arguments for_fresnel(InputSource &source, std::uint64_t index) {
+    const auto [cosine, eta, unused, also_unused] = for_refraction(source, index);
+    const double beyond = 1 - double(eta) * eta * (1 - double(cosine)) * (1 + double(cosine));
+    return {cosine, float(beyond), eta};
+}
+
+double refraction_terms(const Arguments &a) { return double(a[1]) * a[1] * (1 - double(a[0])) * (1 + double(a[0])); }
+
+long double refracted_cosine_squared(const Arguments &a) { return 1 - wide(a[1]) * a[1] * (1 - wide(a[0])) * (1 + wide(a[0])); }
+
+/// By the amplitudes' ratios; where both media are alike and the ray grazes, nothing is reflected.
+long double fresnel(const Arguments &a) {
+    const long double inside = a[0], eta = a[2], beyond = std::sqrt(std::max(wide(a[1]), 0.0L));
+    if (a[1] < 0) return 1;
+    const auto ratio = [](long double x, long double y) { return x + y == 0 ? 0 : (x - y) / (x + y); };
+    const long double s = ratio(eta * inside, beyond), p = ratio(inside, eta * beyond);
+    return (s * s + p * p) / 2;
+}
+
+/// In 64 bits, which its multiplications are taken modulo 2^32 from.
+long double hash_in_unit_interval(const Arguments &a) {
+    constexpr std::uint64_t mask = 0xffffffffu;
+    std::uint64_t x = std::bit_cast<std::uint32_t>(a[0]);
+    x = (x ^ x / 65536) * 0x7feb352du & mask;
+    x = (x ^ x / 32768) * 0x846ca68bu & mask;
+    return static_cast<long double>((x ^ x / 65536) / 256) / 16777216;
+}
+
 long double angle_of(float turns) { return 2 * std::numbers::pi_v<long double> * turns; }
 
+constexpr const char *portable = "core/portable.h", *math = "core/math.cl", *refraction = "core/refraction.cl";
 const Function functions[] = {
-    {"exponential", [](const Arguments &a) { return std::exp(wide(a[0])); }, 0.92, true, any_one},
-    {"logarithm", [](const Arguments &a) { return std::log(wide(a[0])); }, 0.501, true, any_one},
-    {"power", [](const Arguments &a) { return std::pow(wide(a[0]), wide(a[1])); }, 0.96, true, for_power},
-    {"arctangent", [](const Arguments &a) { return std::atan2(wide(a[0]), wide(a[1])); }, 2.25, true, for_arctangent},
-    {"turn_cosine", [](const Arguments &a) { return std::cos(angle_of(a[0])); }, 8e-8, false, in_unit_interval},
-    {"turn_sine", [](const Arguments &a) { return std::sin(angle_of(a[0])); }, 8e-8, false, in_unit_interval},
-    {"next_up", [](const Arguments &a) { return wide(std::nextafter(a[0], infinity)); }, 0, true, any_one},
-    {"next_down", [](const Arguments &a) { return wide(std::nextafter(a[0], -infinity)); }, 0, true, any_one},
-    {"difference_of_products", [](const Arguments &a) { return wide(a[0]) * a[1] - wide(a[2]) * a[3]; }, 1.5, true, for_products},
+    {"multiply_then_add", portable, [](const Arguments &a) { return wide(a[0] * a[1] + a[2]); }, {}, for_arithmetic},
+    {"fused_multiply_add", portable, [](const Arguments &a) { return wide(std::fma(a[0], a[1], a[2])); }, {}, for_arithmetic},
+    {"divide", portable, [](const Arguments &a) { return wide(a[0] / a[1]); }, {}, for_arithmetic},
+    {"square_root", portable, [](const Arguments &a) { return wide(std::sqrt(a[0])); }, {}, for_arithmetic},
+    {"exponential", math, [](const Arguments &a) { return std::exp(wide(a[0])); }, {.ulps = 0.92}, any_one},
+    {"logarithm", math, [](const Arguments &a) { return std::log(wide(a[0])); }, {.ulps = 0.501}, any_one},
+    {"power", math, [](const Arguments &a) { return std::pow(wide(a[0]), wide(a[1])); }, {.ulps = 0.96}, for_power},
+    {"arctangent", math, [](const Arguments &a) { return std::atan2(wide(a[0]), wide(a[1])); }, {.ulps = 2.25}, for_arctangent},
+    {"turn_cosine", math, [](const Arguments &a) { return std::cos(angle_of(a[0])); }, {.absolute = 8e-8}, for_turn},
+    {"turn_sine", math, [](const Arguments &a) { return std::sin(angle_of(a[0])); }, {.absolute = 8e-8}, for_turn},
+    {"next_up", math, [](const Arguments &a) { return wide(std::nextafter(a[0], infinity)); }, {}, any_one},
+    {"next_down", math, [](const Arguments &a) { return wide(std::nextafter(a[0], -infinity)); }, {}, any_one},
+    {"difference_of_products",
+     "core/vec_functions.cl",
+     [](const Arguments &a) { return wide(a[0]) * a[1] - wide(a[2]) * a[3]; },
+     {.ulps = 1.5},
+     for_products},
+    {"refracted_cosine_squared", refraction, refracted_cosine_squared, {.ulps = 1, .roundings = 6, .terms = refraction_terms}, for_refraction},
+    {"fresnel", refraction, fresnel, {.absolute = 0x1p-21}, for_fresnel},
+    {"hash", "core/random.cl", hash_in_unit_interval, {}, any_one},
 };
+
+std::string text_of(const Bound &bound) {
+    std::string text;
+    const auto add = [&](double x, const char *unit) { text += x == 0 ? "" : fmt::format("{}{:.3g}{}", text.empty() ? "" : " + ", x, unit); };
+    add(bound.ulps, " ulp"), add(bound.absolute, ""), add(bound.roundings, " roundings of the terms");
+    return text.empty() ? "exact" : text;
+}
 
 class ElementaryFunction final : public Subject {
 public:
     ElementaryFunction(Device &device, const Function &function)
-        : device_(device), function_(function), kernel_(device, file, std::string("test_") + function.name, {}) {}
+        : device_(device), function_(function), kernel_(device, "kernels/selftest/math.cl", std::string("test_") + function.name, {}) {}
 
     Findings examine(uint round) override {
         std::array<std::vector<float>, 4> columns;
@@ -145,11 +214,12 @@ private:
         const bool same = (std::isinf(value) && static_cast<float>(exact) == value) || (std::isnan(value) && std::isnan(exact));
         const long double finite = std::isinf(value) ? std::copysign(0x1p128L, static_cast<long double>(value)) : value;
         const double error = same ? 0 : static_cast<double>(std::abs(finite - exact)), ulp = ulp_of_result(exact);
-        findings.measure(Quantity::value, std::isnan(error) ? infinity : error, function_.bound * (function_.bound_is_ulps ? ulp : 1), ulp,
-                         error == 0 ? infinity : static_cast<double>(std::abs(exact)), [&] {
-                             return fmt::format("of {:a}, {:a}, {:a}, {:a}: {:a}, but it is {:.9g}", arguments[0], arguments[1], arguments[2],
-                                                arguments[3], value, static_cast<double>(exact));
-                         });
+        const Bound &bound = function_.bound;
+        const double allowed = bound.ulps * ulp + bound.absolute + bound.roundings * 0x1p-24 * bound.terms(arguments);
+        findings.measure(Quantity::value, std::isnan(error) ? infinity : error, allowed, ulp, static_cast<double>(std::abs(exact)), [&] {
+            return fmt::format("of {:a}, {:a}, {:a}, {:a}: {:a}, but it is {:.9g}", arguments[0], arguments[1], arguments[2], arguments[3], value,
+                               static_cast<double>(exact));
+        });
     }
     static double ulp_of_result(long double exact) {
         if (exact == 0 || !std::isfinite(exact)) return exact == 0 ? 0x1p-149 : 0x1p104;
@@ -165,7 +235,7 @@ private:
 
 void add_math(std::vector<SubjectEntry> &list) {
     for (const Function &function : functions)
-        list.push_back({function.name, "core/math.cl", fmt::format("{:g} {}", function.bound, function.bound_is_ulps ? "ulp" : "absolute"), 1,
+        list.push_back({function.name, function.file, text_of(function.bound), 1,
                         [&function](Device &device) { return std::make_unique<ElementaryFunction>(device, function); }});
 }
 

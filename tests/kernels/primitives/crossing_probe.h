@@ -1,4 +1,4 @@
-/// A kind's crossing function on pairs of one primitive and one ray, at every width, and the rays that leave from its hits.
+/// A kind's crossing function on pairs of one primitive and one ray, and the rays that leave from its hits.
 #pragma once
 #include <cstring>
 #include <memory>
@@ -23,11 +23,6 @@ struct SpawnResult {
     CrossingResult first, second;
     Surface surface;
     vec3 origin;
-};
-
-/// How often the 8 and 16 lanes' results differ from the scalar ones, and how many hits those were.
-struct WidthResult {
-    uint different_8, different_16, hits;
 };
 
 /// `Block` is the kind's block of the arena.
@@ -86,68 +81,6 @@ public:
                      lists_)
             .template run<SpawnResult>(blocks_, records_, extents_, rays, directions);
     }
-
-    /// Every ray of 16 neighbours against the block of the first one's primitive.
-    WidthResult compare_widths(const std::vector<Ray> &rays) const {
-        const std::vector<WidthResult> results = Probe(text() + R"(
-            typedef struct { uint different_8, different_16, hits; } Widths;
-            uint differs(Result a, Result b) {
-                return a.hit != b.hit || (a.hit && (as_uint(a.t) != as_uint(b.t) || as_uint(a.u) != as_uint(b.u) || as_uint(a.v) != as_uint(b.v)));
-            }
-            kernel void probe(const global Block *blocks, const global float *extents, const global Ray *rays, const global uint *packets,
-                              global Widths *widths) {
-                if (get_global_id(0) >= *packets) return;
-                const uint first = get_global_id(0) * 16u, block = first / BLOCK_SIZE;
-                const float extent = extents[first];
-                Result scalar[16][8];
-                uint axes[16];
-                Widths w = {0u, 0u, 0u};
-                for (uint r = 0u; r < 16u; ++r) {
-                    const Ray ray = rays[first + r];
-                    axes[r] = major_axis(ray.direction);
-                    const crossing_x8 c = NAME(crossing)(blocks + block, 0u, prepare(ray, extent));
-                    float t[8], u[8], v[8];
-                    int hit[8];
-                    vstore8(c.t, 0, t), vstore8(c.u, 0, u), vstore8(c.v, 0, v), vstore8(c.hit, 0, hit);
-                    for (uint j = 0u; j < 8u; ++j) {
-                        scalar[r][j] = cross_one(blocks, block * 8u + j, ray, extent);
-                        const Result of_8 = {t[j], u[j], v[j], hit[j] != 0};
-                        w.different_8 += differs(scalar[r][j], of_8);
-                        w.hits += scalar[r][j].hit;
-                    }
-                }
-                for (uint axis = 0u; axis < 3u; ++axis) {
-                    float o[3][16], d[3][16], t_max[16];
-                    for (uint r = 0u; r < 16u; ++r) {
-                        const Ray ray = rays[first + r];
-                        o[0][r] = ray.origin.x, o[1][r] = ray.origin.y, o[2][r] = ray.origin.z;
-                        d[0][r] = ray.direction.x, d[1][r] = ray.direction.y, d[2][r] = ray.direction.z;
-                        t_max[r] = axes[r] == axis ? ray.t_max : -1.0f;
-                    }
-                    const ray_x16 ray = lane_ray(make3(vload16(0, o[0]), vload16(0, o[1]), vload16(0, o[2])),
-                                                 make3(vload16(0, d[0]), vload16(0, d[1]), vload16(0, d[2])), vload16(0, t_max), axis, (int16)(-1), extent);
-                    for (uint j = 0u; j < 8u; ++j) {
-                        const crossing_x16 c = NAME(crossing)(blocks + block, j, ray);
-                        float t[16], u[16], v[16];
-                        int hit[16];
-                        vstore16(c.t, 0, t), vstore16(c.u, 0, u), vstore16(c.v, 0, v), vstore16(c.hit, 0, hit);
-                        for (uint r = 0u; r < 16u; ++r) {
-                            const Result of_16 = {t[r], u[r], v[r], hit[r] != 0};
-                            w.different_16 += axes[r] == axis ? differs(scalar[r][j], of_16) : of_16.hit;
-                        }
-                    }
-                }
-                widths[get_global_id(0)] = w;
-            })",
-                                                       lists_)
-                                                     .template run<WidthResult>(blocks_, extents_, rays, uint(rays.size() / 16));
-        WidthResult sum{};
-        for (std::size_t i = 0; i < rays.size() / 16; ++i)
-            sum.different_8 += results[i].different_8, sum.different_16 += results[i].different_16, sum.hits += results[i].hits;
-        return sum;
-    }
-
-    const std::vector<Block> &blocks() const { return blocks_; }
 
 private:
     static Sources lists_of(const PrimitiveKind &kind) {

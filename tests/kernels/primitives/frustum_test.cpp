@@ -1,40 +1,41 @@
-/// Crossings of kernels/primitives/frustum.cl against extended precision.
+/// Which crossings with a frustum count, kernels/primitives/frustum_hit.cl. How right they are is the self-test's matter.
+#include "kernels/primitives/frustum.h"
+
 #include <gtest/gtest.h>
 
-#include "tests/kernels/primitives/frustum_oracle.h"
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "tests/kernels/primitives/crossing_probe.h"
+#include "tests/support/scenes.h"
+#include "tests/support/traced_scene.h"
 
 namespace brandung {
+
+extern const PrimitiveKind frustum_kind;
+
 namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+struct Frustum {
+    vec3 base, apex;
+    float base_radius, apex_radius;
+};
+
+std::unique_ptr<Shape> shape_of(const Frustum &f) { return make_frustum(0, f.base, f.base_radius, f.apex, f.apex_radius); }
+
+CrossingProbe<FrustumBlock> probe_of(const std::vector<Frustum> &frusta) {
+    std::vector<std::unique_ptr<Shape>> shapes;
+    for (const Frustum &frustum : frusta) shapes.push_back(shape_of(frustum));
+    return {frustum_kind, shapes};
+}
+
+const Frustum cone = {{0, 0, -1}, {0, 0, 1}, 1, 0};
 
 CrossingResult crossing(const Frustum &frustum, vec3 origin, vec3 direction, float t_max = infinity) {
     return probe_of({frustum}).crossings({make_ray(origin, direction, t_max)})[0];
-}
-
-struct Cases {
-    std::vector<Frustum> frusta;
-    std::vector<Ray> rays;
-};
-/// Cones, cylinders and frusta of three sizes, with rays at points on and near them, from near, far, or inside.
-Cases random_cases(uint seed, int offset_bits) {
-    Random random(seed);
-    Cases cases;
-    while (cases.rays.size() < count) {
-        const float size = std::exp2(float(int(random.below(3)) - 1) * 20) * random.uniform(0.5f, 1);
-        const Frustum frustum = random_frustum(random, size, offset_bits);
-        const float s = random.uniform(0, 1), radius = std::abs(frustum.base_radius) + s * std::abs(frustum.apex_radius - frustum.base_radius);
-        const vec3 on_axis = frustum.base + s * (frustum.apex - frustum.base),
-                   target = on_axis + random.direction() * (radius * random.uniform(0, 1.2f));
-        const vec3 origin =
-            random.below(4) == 0 ? on_axis + random.in_cube(0.3f) * radius : target + random.direction() * (size * std::exp2(random.uniform(-3, 12)));
-        vec3 towards = vec3(glm::normalize(glm::dvec3(target) - glm::dvec3(origin)));
-        if (random.below(8) == 0) towards = vec3(glm::normalize(glm::dvec3(frustum.apex) - glm::dvec3(frustum.base)));
-        if (!(glm::length(towards) > 0)) continue;
-        const vec3 direction = random.below(4) == 0 ? towards * std::exp2(random.uniform(-8, 8)) : towards;
-        const float t_max = random.below(4) == 0 ? glm::length(target - origin) / glm::length(direction) : infinity;
-        cases.frusta.push_back(frustum);
-        cases.rays.push_back(make_ray(origin, direction, t_max));
-    }
-    return cases;
 }
 
 const Frustum cylinder = {{0, 0, -1}, {0, 0, 1}, 1, 1};
@@ -75,45 +76,26 @@ TEST(Frustum, ARayAlongTheSideOfAConeMeetsItOnlyBeyond) {
     EXPECT_EQ(result.t, 0.5f);  // x = -2 + t, z = -t, radius 1 - z = 1 + t: 2 - t = 1 + t
 }
 
-TEST(Frustum, CrossingsAreWhatRoundingExplains) {
-    for (const int offset_bits : {2, 10, 20}) {
-        const Cases cases = random_cases(uint(offset_bits), offset_bits);
-        const CrossingProbe<FrustumBlock> probe = probe_of(cases.frusta);
-        const std::vector<CrossingResult> results = probe.crossings(cases.rays);
-        std::size_t sure = 0, bad = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::vector<Root> roots = roots_of(record_of(probe.blocks(), i), cases.rays[i]);
-            sure += sure_hits(roots, cases.rays[i].t_max);
-            const testing::AssertionResult result = explains(roots, results[i], cases.rays[i].t_max);
-            if (!result && ++bad <= 3) ADD_FAILURE() << "case " << i << " of offset 2^" << offset_bits << ": " << result.message();
-        }
-        EXPECT_EQ(bad, 0u) << "offset 2^" << offset_bits;
-        EXPECT_GT(sure, count / 4) << "offset 2^" << offset_bits;
-    }
-}
-
-TEST(Frustum, AllWidthsGiveTheSameBits) {
-    Random random(2);
-    std::vector<Frustum> frusta;
+TEST(FrustumSurface, TheTipHasANormal) {
+    // Rays into the tip, from outside and along the axis from inside; whatever is met has a normal of unit length.
+    std::vector<std::unique_ptr<Shape>> shapes;
     std::vector<Ray> rays;
-    while (rays.size() < count / 16 * 16) {
-        const float size = std::exp2(random.uniform(-20, 20));
-        const vec3 center = random.in_cube(16) * size;
-        for (int i = 0; i < 16; ++i) {
-            Frustum frustum;
-            do {
-                frustum = random_frustum(random, size, 0);
-                frustum.base += center, frustum.apex += center;
-            } while (!shape_of(frustum));
-            frusta.push_back(frustum);
-            const vec3 origin = center + random.in_cube(4) * size, target = center + random.in_cube(0.5f) * size;
-            rays.push_back(make_ray(origin, (target - origin) * std::exp2(random.uniform(-4, 4)), random.below(4) ? infinity : 1.0f));
-        }
+    std::vector<vec3> directions;
+    Random random(1);
+    for (int i = 0; i < 64; ++i) {
+        shapes.push_back(shape_of(cone));
+        const vec3 d = i == 0 ? vec3(0, 0, 1) : i == 1 ? vec3(0, 0, -1) : random.direction();
+        rays.push_back(make_ray(vec3(0, 0, 1) - d, d));
+        directions.push_back(vec3(0, 0, 1));
     }
-    const WidthResult result = probe_of(frusta).compare_widths(rays);
-    EXPECT_GT(result.hits, count / 2);
-    EXPECT_EQ(result.different_8, 0u);
-    EXPECT_EQ(result.different_16, 0u);
+    const CrossingProbe<FrustumBlock> probe(frustum_kind, shapes);
+    std::size_t hits = 0;
+    for (const SpawnResult &result : probe.spawned(rays, directions)) {
+        if (!result.first.hit) continue;
+        ++hits;
+        EXPECT_NEAR(glm::length(result.surface.geometric), 1, 1e-6);
+    }
+    EXPECT_GT(hits, 0u);
 }
 
 }  // namespace

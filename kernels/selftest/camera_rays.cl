@@ -1,0 +1,7 @@
+// Rays of a pinhole camera: camera i at picture point i.
+#include "kernels/cameras/perspective.cl"
+
+kernel void test_camera_rays(const global Camera *restrict cameras, const global vec2 *restrict points, uint count,
+                             global vec3 *restrict directions) {
+    FOR_EACH_ITEM_SERIALLY(i, count) { directions[i] = camera_ray(cameras[i], points[i].x, points[i].y).direction; }
+}

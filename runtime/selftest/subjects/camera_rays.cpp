@@ -1,0 +1,72 @@
+/// Rays of the pinhole camera.
+#include <fmt/format.h>
+
+#include "kernels/core/params.h"
+#include "runtime/opencl/kernel.h"
+#include "runtime/selftest/describe.h"
+#include "runtime/selftest/examine.h"
+#include "runtime/selftest/extended.h"
+#include "runtime/selftest/subjects/list.h"
+
+namespace brandung {
+namespace {
+
+constexpr std::size_t inputs_per_round = 1 << 18;
+
+/// Of all angles of view up to 179 degrees, wide and narrow pictures, anywhere.
+Camera any_camera(InputSource &source) {
+    const glm::dvec3 forward(source.direction()), other(source.direction());
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, other)), down = glm::cross(forward, right);
+    const double height = std::exp2(source.uniform(-16, 8)), width = height * std::exp2(source.uniform(-4, 4));
+    return {.position = source.direction() * source.power_of_two(-20, 20),
+            .corner = vec3(forward - width / 2 * right - height / 2 * down),
+            .right = vec3(width * right),
+            .down = vec3(height * down),
+            .width = 1,
+            .height = 1};
+}
+
+class CameraRays final : public Subject {
+public:
+    explicit CameraRays(Device &device) : device_(device), kernel_(device, "kernels/selftest/camera_rays.cl", "test_camera_rays", {}) {}
+
+    Findings examine(uint round) override {
+        std::vector<Camera> cameras(inputs_per_round);
+        std::vector<vec2> points(inputs_per_round);
+        InputSource source(seed_of(8, round, 0));
+        for (std::size_t i = 0; i < inputs_per_round; ++i) {
+            cameras[i] = any_camera(source);
+            points[i] = source.one_in(8) ? vec2(source.below(3) / 2.0f, source.below(3) / 2.0f) : vec2(source.uniform(0, 1), source.uniform(0, 1));
+        }
+        Buffer<vec3> results(device_, inputs_per_round);
+        kernel_(inputs_per_round, Buffer<Camera>(device_, cameras), Buffer<vec2>(device_, points), static_cast<uint>(inputs_per_round), results);
+        const std::vector<vec3> directions = results.read();
+        device_.finish();
+        return examine_each(inputs_per_round, [&](std::size_t i, Findings &findings) { look_at(cameras[i], points[i], directions[i], findings); });
+    }
+
+private:
+    /// The sum has 4 roundings, of magnitudes up to that of its terms; unit() adds 4 u.
+    static void look_at(const Camera &camera, vec2 point, vec3 direction, Findings &findings) {
+        const Vector corner = camera.corner, right = Vector(camera.right) * point.x, down = Vector(camera.down) * point.y,
+                     sum = corner + right + down;
+        const extended allowed = 4 * unit_roundoff * ((length(corner) + length(right) + length(down)) / length(sum) + 1);
+        ++findings.hits;
+        findings.measure(Quantity::normal, double(length(Vector(direction) - unit(sum))), double(allowed), 2 * unit_roundoff, 1, [&] {
+            return fmt::format("direction {} of corner {} + {:a} {} + {:a} {}", text_of(direction), text_of(camera.corner), point.x,
+                               text_of(camera.right), point.y, text_of(camera.down));
+        });
+    }
+
+    Device &device_;
+    Kernel kernel_;
+};
+
+}  // namespace
+
+void add_camera_rays(std::vector<SubjectEntry> &list) {
+    list.push_back({"camera_rays", "cameras/perspective.cl", "4 roundings of the sum's terms, and of unit length", 1,
+                    [](Device &device) { return std::make_unique<CameraRays>(device); }});
+}
+
+}  // namespace brandung

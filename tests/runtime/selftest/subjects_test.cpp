@@ -1,0 +1,30 @@
+/// The self-test's subjects, one round of each: this is where the kernels' functions are tested for how right they are.
+#include <gtest/gtest.h>
+
+#include "runtime/selftest/oracle.h"
+#include "runtime/selftest/subject.h"
+#include "tests/support/probe.h"
+
+namespace brandung {
+
+void PrintTo(const SubjectEntry &subject, std::ostream *out) { *out << subject.name; }
+
+namespace {
+
+class Subjects : public testing::TestWithParam<SubjectEntry> {};
+
+/// Most inputs must say something: they meet what they are aimed at, and rounding cannot turn that.
+TEST_P(Subjects, Pass) {
+    const Findings findings = GetParam().make(test_device())->examine(0);
+    EXPECT_TRUE(findings.passed()) << findings.fault;
+    EXPECT_GE(findings.inputs, 1u << 18);
+    EXPECT_GT(findings.hits, findings.inputs * 2 / 5);
+    EXPECT_LT(findings.ambiguous, findings.inputs / 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Subjects, testing::ValuesIn(subjects()), [](const auto &info) { return info.param.name; });
+
+TEST(PrimitiveOracles, EveryKindHasOne) { EXPECT_EQ(primitive_oracles().size(), primitive_kinds().size()); }
+
+}  // namespace
+}  // namespace brandung
