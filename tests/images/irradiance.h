@@ -8,6 +8,8 @@
 #include "tests/images/oracle.h"
 #include "tests/support/rendering.h"
 #include "tests/support/scenes.h"
+#include "tests/support/statistics/means.h"
+#include "tests/support/statistics/significance.h"
 
 namespace brandung::irradiance {
 
@@ -58,12 +60,11 @@ inline Estimate estimate(const Scene &scene) {
             rendering.counts.hits[RAY_SHADOW]};
 }
 
-/// A normal variable is beyond 4.5 in 7e-6 of all cases; the tests here ask some fifty times.
-inline constexpr Real significant = 4.5L;
-
-/// The mean of the samples, to their statistics and the rounding of a picture.
+/// The mean of the samples, to their statistics and the rounding of a picture, some 1e-5 of it.
 inline void expect_mean(const Estimate &estimate, Real expected) {
-    EXPECT_NEAR(estimate.mean, expected, significant * estimate.error() + 1e-5L * expected);
+    const double error = double(estimate.error()), rounding = 1e-5 * double(expected);
+    const double p = statistics::p_of_difference({double(estimate.mean), error * error}, {double(expected), rounding * rounding});
+    EXPECT_TRUE(statistics::plausible(p)) << estimate.mean << " instead of " << expected;
     EXPECT_LT(estimate.error(), 0.01L * expected) << "the test can tell";
 }
 

@@ -229,7 +229,7 @@ TEST(Metamorphic, TurnedLampsGiveTheSameLight) {
         Scene scene = stage(lit, {map});
         scene.lights.clear();
         scene.film.spp = 8, scene.film.seed = seed;
-        return statistics::estimates_of_blocks(render(scene).film, size, 8, 1);
+        return statistics::estimates_of_blocks(render(scene).film, size, {8, 8}, 1);
     };
     const auto one = blocks_of({}, 1);
     for (const AffineMap &map : {rotation(37, {1, 2, -1}), then(rotation(100, {0, 1, 1}), translation({2, 0, 1}))})

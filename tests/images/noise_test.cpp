@@ -27,8 +27,8 @@ double sum_of_half(const FilmPixel &pixel, uint half) { return double(value_of(p
 
 /// Of pictures with different seeds blocks differ as their own errors say: Welch's p-values are uniform.
 TEST(Noise, IsAsLargeAsItIsSaidToBe) {
-    const auto one = statistics::estimates_of_blocks(render_scene(noisy_scene(1)).film, 32, 2, 0);
-    const auto other = statistics::estimates_of_blocks(render_scene(noisy_scene(2)).film, 32, 2, 0);
+    const auto one = statistics::estimates_of_blocks(render_scene(noisy_scene(1)).film, 32, {2, 2}, 0);
+    const auto other = statistics::estimates_of_blocks(render_scene(noisy_scene(2)).film, 32, {2, 2}, 0);
     const std::vector<double> p_values = statistics::p_of_differences(one, other);
     EXPECT_EQ(p_values.size(), 16u * 12);
     EXPECT_TRUE(plausible(p_values));
@@ -39,8 +39,8 @@ TEST(Noise, IsAsLargeAsItIsSaidToBe) {
 
 /// The lamp is a tenth brighter in the second picture: 1 % is the error of a block of 64 samples, of which there are 192.
 TEST(Noise, DoesNotHideABrighterLamp) {
-    const auto one = statistics::estimates_of_blocks(render_scene(noisy_scene(1)).film, 32, 2, 0);
-    auto brighter = statistics::estimates_of_blocks(render_scene(noisy_scene(2)).film, 32, 2, 0);
+    const auto one = statistics::estimates_of_blocks(render_scene(noisy_scene(1)).film, 32, {2, 2}, 0);
+    auto brighter = statistics::estimates_of_blocks(render_scene(noisy_scene(2)).film, 32, {2, 2}, 0);
     for (statistics::Estimate &estimate : brighter) estimate.mean *= 1.1;
     EXPECT_FALSE(plausible(statistics::p_of_differences(one, brighter)));
 }

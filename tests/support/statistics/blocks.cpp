@@ -14,14 +14,14 @@ Estimate estimate_of_pixel(const FilmPixel &pixel, std::size_t c) {
 
 }  // namespace
 
-std::vector<Estimate> estimates_of_blocks(const std::vector<FilmPixel> &film, std::size_t width, std::size_t size, std::size_t c) {
+std::vector<Estimate> estimates_of_blocks(const std::vector<FilmPixel> &film, std::size_t width, Block block, std::size_t c) {
     const std::size_t height = film.size() / width;
     std::vector<Estimate> blocks;
-    for (std::size_t top = 0; top < height; top += size)
-        for (std::size_t left = 0; left < width; left += size) {
+    for (std::size_t top = 0; top < height; top += block.height)
+        for (std::size_t left = 0; left < width; left += block.width) {
             std::vector<Estimate> pixels;
-            for (std::size_t y = top; y < std::min(top + size, height); ++y)
-                for (std::size_t x = left; x < std::min(left + size, width); ++x) pixels.push_back(estimate_of_pixel(film[y * width + x], c));
+            for (std::size_t y = top; y < std::min(top + block.height, height); ++y)
+                for (std::size_t x = left; x < std::min(left + block.width, width); ++x) pixels.push_back(estimate_of_pixel(film[y * width + x], c));
             blocks.push_back(mean_of(pixels));
         }
     return blocks;
