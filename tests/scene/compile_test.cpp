@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "scene/bsdfs/bsdf.h"
+#include "scene/lights/light.h"
 #include "tests/support/scenes.h"
 
 namespace brandung {
@@ -45,6 +47,18 @@ TEST(Compile, KeepsTheScenesWarnings) {
     Scene scene = glass_spheres(1);
     add_sphere(scene, 0, vec3(0), 0);
     EXPECT_EQ(compile(scene).warnings, scene.warnings);
+}
+
+/// So that one set of kernels suits every scene.
+TEST(Compile, ForAllKindsNothingDependsOnWhatTheSceneHas) {
+    const CompiledScene compiled = compile(Scene(), Kinds::all);
+    EXPECT_EQ(compiled.primitives, primitive_kinds());
+    EXPECT_EQ(compiled.bsdfs.size(), bsdf_kinds().size());
+    EXPECT_EQ(compiled.lights.size(), light_kinds().size());
+    EXPECT_TRUE(compiled.reflects && compiled.transmits && compiled.instances && compiled.emissive_instances && compiled.highlights &&
+                compiled.shading_normals && compiled.tints);
+    EXPECT_EQ(compiled.interior_size, max_interior_size);
+    EXPECT_EQ(compiled.instance_count, 0u);
 }
 
 /// Of two shapes in a group one shines by itself, and both where an instance's material replaces theirs by one that does.
