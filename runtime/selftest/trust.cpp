@@ -52,6 +52,9 @@ Verdicts read_verdicts(const std::string &file) {
     }
 }
 
+/// So many verdicts are kept; the oldest go first.
+constexpr std::size_t most_verdicts = 64;
+
 /// Null if there is none.
 json *entry_of(json &list, const json &key) {
     for (json &verdict : list)
@@ -88,6 +91,7 @@ std::string remember(const DeviceInfo &device, const std::vector<SubjectReport> 
     for (const SubjectReport &report : reports)
         if (report.rounds > 0 || !report.passed())
             (*entry)["subjects"][report.subject->name] = {{"passed", report.passed()}, {"kernels", report.subject->file}, {"fault", report.fault}};
+    while (verdicts.list.size() > most_verdicts) verdicts.list.erase(0);
     try {
         fs::create_directories(fs::path(file).parent_path());
         write_text(file, verdicts.list.dump(2, ' ', false, json::error_handler_t::replace) + "\n");

@@ -29,7 +29,7 @@ public:
             const Verdict verdict = look_at_crossing(cases, i, results[i], findings, describe);
             if (differences[i] != 0) findings.blame([&] { return describe(difference(differences[i])); });
             if (!results[i].hit || !verdict.fault.empty()) return;
-            look_at_surface(cases, i, results[i], findings, describe);
+            look_at_surface(cases, i, results[i], verdict, findings, describe);
             if (doubles && (*doubles)[i].hit) compare(results[i], (*doubles)[i], verdict, findings);
         });
     }
@@ -57,7 +57,7 @@ private:
     }
 
     template <class Describe>
-    void look_at_surface(const CrossingCases &cases, std::size_t i, const CrossingResult<float> &result, Findings &findings,
+    void look_at_surface(const CrossingCases &cases, std::size_t i, const CrossingResult<float> &result, const Verdict &verdict, Findings &findings,
                          Describe describe) const {
         const vec3 n = vector_of(result.geometric);
         const double off = double(absolute(oracle_.distance(cases.lane(i), wide(result.p))));
@@ -67,11 +67,26 @@ private:
                          [&] { return describe(fmt::format("the point lies {:.3g} off the surface, and says at most {:.3g}", off, allowed)); });
         if (!(allowed <= 0x1p-18 * cases.extents[i] + 0x1p-147))
             findings.blame([&] { return describe(fmt::format("the point says that it may lie {:.3g} off, which is of no use", allowed)); });
+        look_at_place(cases, i, result, verdict, findings, describe);
         const Normal normal = oracle_.normal_on(cases.lane(i), cases.rays[i], result.t);
         if (!(normal.error < 0.5)) return;  // nothing is known, as at a tip seen from afar
         const double turned = double(length(Vector(n) - normal.n));
         findings.measure(Quantity::normal, turned, double(normal.error), 2 * unit_roundoff, 1,
                          [&] { return describe(fmt::format("the normal is off by {:.3g}, more than {:.3g}", turned, double(normal.error))); });
+    }
+
+    /// The point lies where the ray meets the surface, but for t's bound and the rounding of what it is made of: no more than 64 u of coordinates.
+    template <class Describe>
+    static void look_at_place(const CrossingCases &cases, std::size_t i, const CrossingResult<float> &result, const Verdict &verdict,
+                              Findings &findings, Describe describe) {
+        const Vector o = cases.rays[i].origin, d = cases.rays[i].direction, there = o + d * verdict.nearest;
+        const extended off = length(wide(result.p) - there);
+        const extended allowed = verdict.allowed * length(d) + 64 * unit_roundoff * (largest(o) + cases.extents[i]) + 0x1p-147;
+        if (off <= allowed) return;
+        findings.blame([&] {
+            return describe(
+                fmt::format("the point lies {:.3g} from where the ray meets the surface, more than {:.3g}", double(off), double(allowed)));
+        });
     }
 
     /// Of the same root.
