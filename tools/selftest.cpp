@@ -52,6 +52,7 @@ int run(const Options &options) {
     print_result(options.as_json ? as_json(device.info(), reports).dump(2) + "\n" : as_text(device.info(), reports));
     for (const SubjectReport &report : reports)
         if (!report.passed()) fmt::print(stderr, "{} ({}): {}\n", report.subject->name, report.subject->file, report.fault);
+    if (is_interrupted()) fmt::print(stderr, "interrupted: what has no inputs was not tried\n");
     if (!all_passed(reports)) return not_trusted;
     return is_interrupted() ? interrupted_status : 0;
 }
