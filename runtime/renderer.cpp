@@ -17,24 +17,9 @@ uint samples_at_once(const FilmSettings &film, uint batch, uint done) {
     return static_cast<uint>(std::min<std::uint64_t>({film.spp - done, batch, std::max(pass, batch / pixels)}));
 }
 
-/// The divisor nearest below the root: a grid of so many samples has that many rows.
-uint rows_of_grid(uint samples) {
-    uint rows = static_cast<uint>(std::sqrt(static_cast<double>(samples)));
-    while (samples % rows != 0) --rows;
-    return rows;
-}
-
-/// What all batches have in common. The odd samples' grid is turned, so that two by one cells and one by two make up for each other.
+/// What all batches have in common.
 BatchParams common_params(const FilmSettings &film) {
-    const uint even = film.spp - film.spp / 2, odd = std::max(film.spp / 2, 1u), even_rows = rows_of_grid(even), odd_rows = rows_of_grid(odd);
-    return {.pixels = 0,
-            .first_sample = 0,
-            .samples = 0,
-            .spp = film.spp,
-            .columns = {even / even_rows, odd_rows},
-            .rows = {even_rows, odd / odd_rows},
-            .seed = film.seed,
-            .position = film.pixel};
+    return {.pixels = 0, .first_sample = 0, .samples = 0, .spp = film.spp, .seed = film.seed, .position = film.pixel};
 }
 
 FilmSettings checked(const Scene &scene) {

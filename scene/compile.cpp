@@ -34,6 +34,7 @@ CompiledScene compile(const Scene &scene, Kinds kinds) {
     add_lights(scene, compiled, arena);
     if (kinds == Kinds::all) use_everything(scene, compiled);
     compiled.filter = scene.film.filter;
+    compiled.sampler = scene.film.sampler;
     compiled.header.background = scene.background;
     compiled.header.ambient = scene.ambient;
     return compiled;

@@ -23,10 +23,11 @@ struct CompiledScene {
     std::vector<std::uint16_t> texels;              ///< of textures in use
     std::vector<const PrimitiveKind *> primitives;  ///< kinds in use; a kind's place is its number on the device
     std::vector<uint> bsdfs, lights;                ///< kinds in use: places in bsdf_kinds() and light_kinds(), which are their numbers
-    uint filter = 0;                                ///< in use: its place in filter_kinds()
+    uint filter = 0, sampler = 0;                   ///< in use: their places in filter_kinds() and sampler_kinds()
     std::string accelerator;
     bool reflects = false, transmits = false;  ///< whether any material spawns such rays
     bool instances = false;                    ///< whether rays look into groups
+    bool follows_one = false;                  ///< whether of a reflected and a refracted ray one is chosen
     bool filters_shadows = false;              ///< whether transparent objects let light through, and there are some
     bool emissive_instances = false;           ///< whether any light is an emissive shape of an instance
     bool highlights = false;                   ///< whether any material has one

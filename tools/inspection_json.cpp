@@ -14,7 +14,6 @@ namespace {
 using nlohmann::json;
 
 const char *const ray_kinds[RAY_KINDS] = {"camera", "reflected", "refracted", "shadow"};
-const char *const child_kinds[] = {"reflected", "refracted"};
 
 json decimal(float value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 std::string hex(float value) { return fmt::format("{:a}", value); }
@@ -151,15 +150,15 @@ private:
         return list;
     }
 
-    json child(const TracedRay &parent, std::size_t j) {
-        const TracedChild &child = parent.children[j];
-        return {{"kind", child_kinds[j]},
-                {"possible", can_spawn(parent, j, material_of(parent))},
-                {"spawned", child.traced != nullptr},
-                {"why_not", why_not_spawned(parent, j, material_of(parent), scene_.integrator)},
-                {"weight", vector(child.weight)},
-                {"direction", vector(child.ray.direction)},
-                {"ray", child.traced ? ray(*child.traced) : json(nullptr)}};
+    json child(const TracedRay &parent, uint kind) {
+        const TracedChild *child = child_of_kind(parent, kind);
+        return {{"kind", ray_kinds[kind]},
+                {"possible", can_spawn(parent, kind, material_of(parent))},
+                {"spawned", child && child->traced},
+                {"why_not", why_not_spawned(parent, kind, material_of(parent), scene_.integrator)},
+                {"weight", child ? vector(child->weight) : json(nullptr)},
+                {"direction", child ? vector(child->ray.direction) : json(nullptr)},
+                {"ray", child && child->traced ? ray(*child->traced) : json(nullptr)}};
     }
 
     json ray(const TracedRay &ray) {
@@ -189,7 +188,8 @@ private:
         if (compiled_.transmits) result["interface"] = interface(ray);
         for (const TracedLightBlock &block : ray.lights)
             for (const TracedLight &each : block.lights) result["lights"].push_back(light(ray, each));
-        for (std::size_t j = 0; j < ray.children.size(); ++j) result["children"].push_back(child(ray, j));
+        if (compiled_.reflects || compiled_.transmits) result["children"].push_back(child(ray, RAY_REFLECTED));
+        if (compiled_.transmits) result["children"].push_back(child(ray, RAY_REFRACTED));
     }
 
     const Scene &scene_;

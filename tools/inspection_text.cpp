@@ -170,7 +170,7 @@ void write_light(Lines &lines, const json &light) {
 void write_child(Lines &lines, const json &child) {
     const std::string name = text_of(child["kind"]) + " ray";
     lines.field(name, child["spawned"] ? "ray " + text_of(child["ray"]["number"]) : "none: " + text_of(child["why_not"]));
-    if (!child["possible"]) return;
+    if (!child["possible"] || child["weight"].is_null()) return;
     lines.field("  weight", floats(child["weight"]));
     lines.field("  direction", floats(child["direction"]));
 }

@@ -9,6 +9,7 @@
 #include "brandung_version.h"
 #include "scene/filters/filter.h"
 #include "scene/image.h"
+#include "scene/samplers/sampler.h"
 #include "scene/scene_hash.h"
 #include "scene/tone.h"
 #include "tools/numbers.h"
@@ -48,9 +49,11 @@ std::map<std::string, std::string> metadata(const Job &job, const PhaseSeconds &
                                                    {"brandung:max_depth", std::to_string(job.scene.integrator.max_depth)},
                                                    {"brandung:threshold", fmt::format("{}", job.scene.integrator.threshold)},
                                                    {"brandung:light_samples", std::to_string(job.scene.integrator.light_samples)},
+                                                   {"brandung:follow", job.scene.integrator.follows_one ? "one" : "both"},
                                                    {"brandung:shadows", job.scene.integrator.filtered_shadows ? "filtered" : "opaque"},
                                                    {"brandung:spp", std::to_string(film.spp)},
                                                    {"brandung:seed", std::to_string(film.seed)},
+                                                   {"brandung:sampler", sampler_kinds()[film.sampler].name},
                                                    {"brandung:filter", filter_kinds()[film.filter].name},
                                                    {"brandung:filter_radius", fmt::format("{}", film.filter_radius)},
                                                    {"brandung:pixel", positions[film.pixel]},

@@ -8,6 +8,7 @@
 #include "scene/bsdfs/bsdf.h"
 #include "scene/filters/filter.h"
 #include "scene/lights/light.h"
+#include "scene/samplers/sampler.h"
 #include "tools/report_text.h"
 
 namespace brandung {
@@ -21,6 +22,7 @@ std::vector<std::string> features_in_use(const Scene &scene, const CompiledScene
     for (const uint kind : compiled.bsdfs) used.push_back(std::string("material ") + bsdf_kinds()[kind].name);
     for (const uint kind : compiled.lights) used.push_back(std::string("light ") + light_kinds()[kind].name);
     used.push_back("accelerator " + compiled.accelerator);
+    used.push_back(std::string("sampler ") + sampler_kinds()[compiled.sampler].name);
     used.push_back(std::string("filter ") + filter_kinds()[compiled.filter].name);
     for (const uint aov : scene.film.aovs) used.push_back(std::string("AOV ") + aov_kinds()[aov].name);
     used.push_back("integrator " + scene.integrator.type);
@@ -31,6 +33,7 @@ std::vector<std::string> features_in_use(const Scene &scene, const CompiledScene
     if (compiled.header.background_texture != 0) used.push_back("picture as background");
     if (compiled.reflects) used.push_back("reflected rays");
     if (compiled.transmits) used.push_back(fmt::format("refracted rays, lists of {} media", compiled.interior_size));
+    if (compiled.follows_one) used.push_back("random choice of reflected and refracted rays");
     if (compiled.filters_shadows) used.push_back("filtered shadows");
     return used;
 }

@@ -69,6 +69,7 @@ std::vector<std::string> assignments(const SceneOptions &options) {
     if (options.spp) add("film.spp", std::to_string(*options.spp));
     if (options.seed) add("film.seed", std::to_string(*options.seed));
     if (!options.pixel.empty()) add("film.pixel", options.pixel);
+    if (!options.sampler.empty()) add("film.sampler", options.sampler);
     if (!options.crop.empty()) add("film.crop", "[" + options.crop + "]");
     if (!options.aovs.empty()) add("film.aovs", "[\"" + fmt::format("{}", fmt::join(options.aovs, "\",\"")) + "\"]");
     if (!options.exposure.empty()) add("film.exposure", options.exposure);
@@ -76,6 +77,7 @@ std::vector<std::string> assignments(const SceneOptions &options) {
     if (!options.filter.empty()) add("film.filter", options.filter);
     if (options.max_depth) add("integrator.max_depth", std::to_string(*options.max_depth));
     if (options.light_samples) add("integrator.light_samples", std::to_string(*options.light_samples));
+    if (!options.follow.empty()) add("integrator.follow", options.follow);
     if (!options.shadows.empty()) add("integrator.shadows", options.shadows);
     if (!options.integrator.empty()) add("integrator.type", options.integrator);
     if (!options.accelerator.empty()) add("accelerator", options.accelerator);
@@ -120,6 +122,8 @@ void add_picture_options(CLI::App &command, SceneOptions &options) {
         ->check(whole_numbers(1u, max_samples));
     command.add_option("--seed", options.seed, "seed of random numbers")->check(whole_numbers(0u, 0xffffffffu));
     command.add_option("--pixel", options.pixel, "where a single sample lies: corner, center or random");
+    command.add_option("--sampler", options.sampler,
+                       "where more samples than one lie: sobol, or independent, which is noisier (default: the scene's)");
     command.add_option("--filter", options.filter, "how samples count in their pixel: box, tent, gaussian, mitchell or blackman_harris");
     command
         .add_option("--aov", options.aovs,
@@ -158,6 +162,8 @@ void add_light_options(CLI::App &command, SceneOptions &options) {
                         "file {})",
                         mesh_light_samples))
         ->check(whole_numbers(0u, MAX_LIGHT_SAMPLES));
+    command.add_option("--follow", options.follow,
+                       "of rays reflected and refracted by one surface: both, or one, chosen at random (default: the scene's)");
     command.add_option("--shadows", options.shadows, "of transparent objects: opaque, or filtered, which lets light through (default: the scene's)");
 }
 

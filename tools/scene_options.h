@@ -10,7 +10,7 @@
 namespace brandung {
 
 struct SceneOptions {
-    std::string scene, integrator, accelerator, shadows, size, crop, pixel, filter, exposure, tone, camera, background, device;
+    std::string scene, integrator, accelerator, follow, shadows, size, crop, pixel, sampler, filter, exposure, tone, camera, background, device;
     std::vector<std::string> aovs;
     std::string from, at, up;           ///< "X,Y,Z", or empty for the camera's own
     std::optional<float> fov;           ///< [degrees]

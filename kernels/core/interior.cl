@@ -21,6 +21,11 @@ FUNCTION void interior_store(global uint *interiors, uint slot, Interior interio
 
 FUNCTION void interior_copy(const global uint *from, uint i, global uint *to, uint k) { interior_store(to, k, interior_load(from, i)); }
 
+/// The list of `either` at i, or if not `c` of `other` at j.
+FUNCTION void interior_choose(bool c, const global uint *either, uint i, const global uint *other, uint j, global uint *to, uint k) {
+    FOR_EACH_ENTRY(e) to[k * INTERIOR_SIZE + e] = c ? either[i * INTERIOR_SIZE + e] : other[j * INTERIOR_SIZE + e];
+}
+
 FUNCTION bool interior_contains(Interior interior, uint material) {
     bool found = false;
     FOR_EACH_ENTRY(k) found |= interior.entries[k] >> 8 == material + 1u;

@@ -15,8 +15,7 @@ typedef struct {
 /// Which samples of which pixels a batch holds: slot = pixel in batch × samples + sample - first_sample.
 typedef struct {
     uint pixels, first_sample, samples;
-    uint spp;                  ///< samples per pixel of the whole render
-    uint columns[2], rows[2];  ///< grids of the samples of even and of odd number: columns * rows = how many there are of them, 0 being 1
+    uint spp;  ///< samples per pixel of the whole render
     uint seed;
     uint position;  ///< PIXEL_...
 } BatchParams;

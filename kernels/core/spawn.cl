@@ -11,6 +11,13 @@ FUNCTION float bend(vec3 p, float radius) {
     return aside * aside / maximum(maximum(radius, aside), 0x1p-126f);
 }
 
+FUNCTION Ray where(int c, Ray a, Ray b) {
+    Ray r;
+    r.origin = where(c, a.origin, b.origin), r.direction = where(c, a.direction, b.direction);
+    r.t_max = c ? a.t_max : b.t_max, r.tag = c ? a.tag : b.tag;
+    return r;
+}
+
 FUNCTION float away(float value, float direction) {
     const float up = next_up(value), down = next_down(value);
     return direction > 0.0f ? up : direction < 0.0f ? down : value;

@@ -13,6 +13,9 @@
 #include "kernels/core/spawn.cl"
 #include "kernels/lights/light.cl"
 
+/// Tells the random number for the choice of a child from others of the same ray.
+#define CHOICE_OF_CHILD 0x68bc21ebu
+
 FUNCTION bool worth_tracing(Spectrum throughput, WhittedParams params, uint flags) {
     const float weight = largest(throughput);
     return (weight >= params.threshold) & ((weight > 0.0f) | ((flags & MATERIAL_SPAWNS_ALWAYS) != 0u));
@@ -21,9 +24,25 @@ FUNCTION bool worth_tracing(Spectrum throughput, WhittedParams params, uint flag
 /// `v`, or its mirror image at the plane of `normal`, whichever is on the normal's side.
 FUNCTION vec3 folded(vec3 v, vec3 normal) { return plus(v, scaled(normal, maximum(-2.0f * dot3(v, normal), 0.0f))); }
 
-/// Children of live item i: the mirrored ray in slot base + i, and where BRANCHING is 2 the refracted one in slot base + count + i, in the
-/// media `beyond`; they leave a primitive in instance instances[i], where scenes have some. A shading normal may lead a ray to the wrong side of the
-/// surface; then its mirror image at the surface leaves instead.
+/// One of a hit's two children is followed, as likely as what it counts in the most important channel; its weight makes up for that.
+typedef struct {
+    bool reflected;  ///< which
+    float weight;    ///< 1 / probability; 0 where neither counts
+} Choice;
+
+FUNCTION Choice choose_child(Split split, uint branch) {
+    const float reflected = largest(split.reflected), refracted = largest(split.refracted), both = reflected + refracted;
+    Choice choice;
+    choice.reflected = unit_interval(hash(branch ^ CHOICE_OF_CHILD)) * both < reflected;
+    const float chosen = choice.reflected ? reflected : refracted;
+    choice.weight = chosen > 0.0f ? both / chosen : 0.0f;
+    return choice;
+}
+
+/// Children of live item i, which go to slot base + i, and where BRANCHING is 2 the mirrored ray there and the refracted one to base + count + i,
+/// in the media `beyond`. Where FOLLOWS_ONE, one of both is chosen at random (Cook, Porter & Carpenter, SIGGRAPH 1984). They
+/// leave a primitive in instance instances[i], where scenes have some. A shading normal may lead a ray to the wrong side of the surface; then its
+/// mirror image at the surface leaves instead.
 kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const global Path *restrict paths,
                           const global SurfacePoint *restrict points, const global SurfaceInterface *restrict interfaces,
                           const global vec3 *restrict directions, const global uint *restrict instances, const global uint *restrict interiors,
@@ -51,34 +70,45 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
 
         const float projection = dot3(wo, normal), cosine = minimum(maximum(projection, 0.0f), 1.0f);
         const float cosine_squared_beyond = refracted_cosine_squared(cosine, interface.eta);
-        const bool transmits = BRANCHING == 2u && (material->flags & MATERIAL_TRANSMITS) != 0u;
+        const bool transmits = TRANSMITS && (material->flags & MATERIAL_TRANSMITS) != 0u;
         const bool total = transmits & (cosine_squared_beyond < 0.0f);
+        const bool reflects = ((material->flags & MATERIAL_REFLECTS) != 0u) | total, refracts = transmits & !total;
         const Split split = bsdf_split(material, cosine, cosine_squared_beyond, interface.eta, total);
-
-        const Spectrum reflected = times(path.throughput, split.reflected);
+        const Spectrum reflected = times(path.throughput, split.reflected), refracted = times(path.throughput, split.refracted);
         const vec3 mirrored = unit(folded(minus(scaled(normal, 2.0f * projection), wo), geometric));
-        const bool reflects = ((material->flags & MATERIAL_REFLECTS) != 0u) | total;
-        mirrored_rays[i] = ray_spawn(near, mirrored, RAY_REFLECTED, primitive);
-        store_instance(child_sources, base + i, instance_at(instances, i));
-        Path child = path;
-        child.throughput = reflected;
-        child.depth = path.depth + 1u;
-        child.branch = hash(path.branch * 2u);
-        mirrored_paths[i] = child;
-        mirrored_alive[i] = goes_on & reflects & worth_tracing(reflected, params, material->flags);
+        const float bend = interface.eta * cosine - sqrt(maximum(cosine_squared_beyond, 0.0f));
+        const vec3 bent = unit(folded(minus(scaled(normal, bend), scaled(wo, interface.eta)), negate(geometric)));
 
+        Path child = path;
+        child.depth = path.depth + 1u;
+        if (FOLLOWS_ONE) {
+            const Choice choice = choose_child(split, path.branch);
+            const bool mirrors = (choice.reflected & reflects) | !refracts;
+            const Ray mirrored_ray = ray_spawn(near, mirrored, RAY_REFLECTED, primitive), bent_ray = ray_spawn(far, bent, RAY_REFRACTED, primitive);
+            interior_choose(mirrors, interiors, k, beyond, i, child_interiors, base + i);
+            store_instance(child_sources, base + i, instance_at(instances, i));
+            mirrored_rays[i] = where(mirrors, mirrored_ray, bent_ray);
+            child.throughput = scaled(where(mirrors, reflected, refracted), (reflects & refracts) ? choice.weight : 1.0f);
+            child.branch = hash(path.branch * 2u + (mirrors ? 0u : 1u));
+            mirrored_paths[i] = child;
+            mirrored_alive[i] = goes_on & (mirrors ? reflects : refracts) & worth_tracing(child.throughput, params, material->flags);
+        } else {
+            mirrored_rays[i] = ray_spawn(near, mirrored, RAY_REFLECTED, primitive);
+            store_instance(child_sources, base + i, instance_at(instances, i));
+            child.throughput = reflected;
+            child.branch = hash(path.branch * 2u);
+            mirrored_paths[i] = child;
+            mirrored_alive[i] = goes_on & reflects & worth_tracing(reflected, params, material->flags);
+        }
         if (BRANCHING == 2u) {
             interior_copy(interiors, k, child_interiors, base + i);
             interior_copy(beyond, i, child_interiors, base + count + i);
-            const Spectrum refracted = times(path.throughput, split.refracted);
-            const float bend = interface.eta * cosine - sqrt(maximum(cosine_squared_beyond, 0.0f));
-            const vec3 bent = unit(folded(minus(scaled(normal, bend), scaled(wo, interface.eta)), negate(geometric)));
             refracted_rays[i] = ray_spawn(far, bent, RAY_REFRACTED, primitive);
             store_instance(child_sources, base + count + i, instance_at(instances, i));
             child.throughput = refracted;
             child.branch = hash(path.branch * 2u + 1u);
             refracted_paths[i] = child;
-            refracted_alive[i] = goes_on & transmits & !total & worth_tracing(refracted, params, material->flags);
+            refracted_alive[i] = goes_on & refracts & worth_tracing(refracted, params, material->flags);
         }
     }
 }

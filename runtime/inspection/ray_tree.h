@@ -59,7 +59,7 @@ struct TracedRay {
     std::optional<Tints> tints;        ///< none in scenes without
     Spectrum unlit;                    ///< radiance that needs no light
     std::vector<TracedLightBlock> lights;
-    std::vector<TracedChild> children;  ///< the mirrored ray, then the refracted one; as many as the scene needs
+    std::vector<TracedChild> children;  ///< the mirrored ray, then the refracted one, as far as the scene needs them; or the one that was chosen
 
     bool passed_faces() const { return begun.origin != ray.origin; }
     bool hits() const { return hit.primitive != NO_HIT; }

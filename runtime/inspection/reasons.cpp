@@ -14,18 +14,25 @@ bool is_total(const TracedRay &ray, const Material &material) { return transmits
 
 }  // namespace
 
-bool can_spawn(const TracedRay &parent, std::size_t j, const Material &material) {
-    if (j == refracted_child) return transmits(material);
+bool can_spawn(const TracedRay &parent, uint kind, const Material &material) {
+    if (kind == RAY_REFRACTED) return transmits(material);
     return (material.flags & MATERIAL_REFLECTS) != 0 || is_total(parent, material);
 }
 
-std::string why_not_spawned(const TracedRay &parent, std::size_t j, const Material &material, const IntegratorSettings &settings) {
-    const TracedChild &child = parent.children[j];
-    if (child.traced) return "";
-    if (!can_spawn(parent, j, material)) return j == reflected_child ? "the material does not reflect" : "the material does not transmit";
-    if (j == refracted_child && is_total(parent, material)) return "total internal reflection";
+const TracedChild *child_of_kind(const TracedRay &parent, uint kind) {
+    for (const TracedChild &child : parent.children)
+        if (RAY_KIND(child.ray.tag) == kind) return &child;
+    return nullptr;
+}
+
+std::string why_not_spawned(const TracedRay &parent, uint kind, const Material &material, const IntegratorSettings &settings) {
+    const TracedChild *child = child_of_kind(parent, kind);
+    if (child && child->traced) return "";
+    if (!can_spawn(parent, kind, material)) return kind == RAY_REFLECTED ? "the material does not reflect" : "the material does not transmit";
+    if (kind == RAY_REFRACTED && is_total(parent, material)) return "total internal reflection";
+    if (!child) return "the other was chosen: integrator.follow is one";
     if (parent.path.depth >= settings.max_depth) return fmt::format("depth limit: integrator.max_depth is {}", settings.max_depth);
-    const float throughput = largest(parent.path.throughput * child.weight);
+    const float throughput = largest(parent.path.throughput * child->weight);
     if (throughput == 0) return "its throughput is 0";
     return fmt::format("its throughput, {:g}, is below integrator.threshold, {:g}", throughput, settings.threshold);
 }

@@ -8,12 +8,12 @@
 
 namespace brandung {
 
-/// Child j of a ray: 0 is reflected, 1 refracted.
-inline constexpr std::size_t reflected_child = 0, refracted_child = 1;
-/// Whether the hit's material sends such rays at all; one that transmits mirrors where it reflects totally.
-bool can_spawn(const TracedRay &parent, std::size_t j, const Material &material);
-/// Of child j of a ray that hit something; empty if it was spawned.
-std::string why_not_spawned(const TracedRay &parent, std::size_t j, const Material &material, const IntegratorSettings &settings);
+/// Whether the hit's material sends rays of this kind, RAY_REFLECTED or RAY_REFRACTED, at all; one that transmits mirrors where it reflects totally.
+bool can_spawn(const TracedRay &parent, uint kind, const Material &material);
+/// The ray of such a kind that it may spawn; null if none was considered, since the other was chosen.
+const TracedChild *child_of_kind(const TracedRay &parent, uint kind);
+/// Of such a child of a ray that hit something; empty if it was spawned.
+std::string why_not_spawned(const TracedRay &parent, uint kind, const Material &material, const IntegratorSettings &settings);
 /// Empty if its shadow ray was traced.
 std::string why_not_asked(const TracedLight &light);
 

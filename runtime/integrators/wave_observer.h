@@ -6,7 +6,7 @@
 
 namespace brandung {
 
-/// The rays of one kind that a wave's rays may spawn, one per ray, whether it lives or not.
+/// Rays that a wave's rays may spawn, one per ray, whether it lives or not: of one kind, or of the kind that was chosen.
 struct ChildRecords {
     std::vector<Ray> rays;
     std::vector<Spectrum> weights;  ///< their throughput where that of the parent is 1
@@ -46,7 +46,7 @@ struct WaveRecords {
     std::vector<uint> before, behind;    ///< media on both sides of the hits
     std::vector<Tints> tints;            ///< empty in scenes without
     std::vector<Spectrum> unlit;         ///< radiance that needs no light
-    std::vector<ChildRecords> children;  ///< those of every ray may be mirrored, then refracted; as many as the scene needs
+    std::vector<ChildRecords> children;  ///< those of every ray may be mirrored, then refracted, or one of both; as many as the scene needs
     std::vector<LightBlockRecords> lights;
     std::size_t count() const { return slots.size(); }
 };

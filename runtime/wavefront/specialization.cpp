@@ -5,6 +5,7 @@
 #include "scene/bsdfs/bsdf.h"
 #include "scene/filters/filter.h"
 #include "scene/lights/light.h"
+#include "scene/samplers/sampler.h"
 
 namespace brandung {
 namespace {
@@ -48,7 +49,7 @@ std::string family(const std::vector<uint> &in_use, const Kinds &kinds, const st
 
 }  // namespace
 
-uint branching(const CompiledScene &scene) { return scene.transmits ? 2 : scene.reflects ? 1 : 0; }
+uint branching(const CompiledScene &scene) { return scene.transmits && !scene.follows_one ? 2 : scene.reflects || scene.transmits ? 1 : 0; }
 
 Sources specialize(const CompiledScene &scene) {
     Sources sources;
@@ -60,16 +61,17 @@ Sources specialize(const CompiledScene &scene) {
     sources["generated/instances.cl"] = include(scene.instances ? "primitives/instance.cl" : "primitives/no_instance.cl");
     sources["generated/emissive_instances.cl"] =
         include(scene.emissive_instances ? "lights/emissive_instances.cl" : "lights/no_emissive_instances.cl");
-    sources["generated/sampler.cl"] = include("samplers/stratified.cl");
+    sources["generated/sampler.cl"] = include(fmt::format("samplers/{}.cl", sampler_kinds()[scene.sampler].name));
     sources["generated/filter.cl"] = include(fmt::format("filters/{}.cl", filter_kinds()[scene.filter].file));
     sources["generated/interior.cl"] = include(scene.transmits ? "core/interior.cl" : "core/no_interior.cl");
     sources["generated/tints.cl"] = include(scene.tints ? "core/tints.cl" : "core/no_tints.cl");
     sources["generated/shadow_filter.cl"] = include(scene.filters_shadows ? "core/shadow_filter.cl" : "core/no_shadow_filter.cl");
     sources["generated/constants.h"] = fmt::format(
-        "#pragma once\n#define BRANCHING {}u\n#define INTERIOR_SIZE {}u\n#define HIGHLIGHTS {}\n#define SHADING_NORMALS {}\n"
+        "#pragma once\n#define BRANCHING {}u\n#define TRANSMITS {}\n#define FOLLOWS_ONE {}\n#define INTERIOR_SIZE {}u\n#define HIGHLIGHTS "
+        "{}\n#define SHADING_NORMALS {}\n"
         "#define INSTANCES {}\n#define INSTANCE_KIND {}u\n#define FLAT_KINDS {:#x}u\n",
-        branching(scene), scene.interior_size, scene.highlights ? 1 : 0, scene.shading_normals ? 1 : 0, scene.instances ? 1 : 0,
-        scene.primitives.size(), flat_kinds(scene));
+        branching(scene), scene.transmits ? 1 : 0, scene.follows_one ? 1 : 0, scene.interior_size, scene.highlights ? 1 : 0,
+        scene.shading_normals ? 1 : 0, scene.instances ? 1 : 0, scene.primitives.size(), flat_kinds(scene));
     return sources;
 }
 

@@ -68,6 +68,7 @@ void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
         compiled.transmits |= (material.flags & MATERIAL_TRANSMITS) != 0;
         compiled.highlights |= (material.flags & MATERIAL_HIGHLIGHT) != 0;
     }
+    compiled.follows_one = compiled.transmits && scene.integrator.follows_one;
     count_media(scene, used, compiled);
     add_textures(scene, used_materials, compiled, arena);
     compiled.bsdfs = kinds_of(used_materials);

@@ -10,6 +10,7 @@
 #include "scene/formats/format.h"
 #include "scene/formats/limits.h"
 #include "scene/parameters.h"
+#include "scene/samplers/sampler.h"
 #include "scene/textures/textured.h"
 #include "scene/tone.h"
 #include "scene/warnings.h"
@@ -76,6 +77,9 @@ void read_film(const Parameters &parameters, FilmSettings &film) {
     film.pixel = parameters.choice("pixel", {"corner", "center", "random"}, film.pixel);
     film.spp = parameters.integer("spp", film.pixel == PIXEL_CORNER ? 1 : film.spp, 1, max_samples);
     film.seed = parameters.integer("seed", film.seed);
+    std::vector<std::string> samplers;
+    for (const SamplerKind &kind : sampler_kinds()) samplers.emplace_back(kind.name);
+    film.sampler = parameters.choice("sampler", samplers, film.sampler);
     read_filter(parameters, film);
     if (film.pixel == PIXEL_CORNER && film.spp != 1) parameters.fail("pixel", fmt::format("'corner' takes one sample per pixel, not {}", film.spp));
     read_aovs(parameters, film);
@@ -91,6 +95,7 @@ void read_integrator(const Parameters &parameters, IntegratorSettings &integrato
     integrator.max_depth = parameters.integer("max_depth", integrator.max_depth, 1, max_depth);
     integrator.threshold = parameters.not_negative("threshold", integrator.threshold);
     integrator.light_samples = parameters.integer("light_samples", integrator.light_samples, 0, MAX_LIGHT_SAMPLES);
+    integrator.follows_one = parameters.choice("follow", {"both", "one"}, integrator.follows_one ? 1 : 0) == 1;
     if (parameters.has("shadows")) integrator.shadows_unsaid = false;
     integrator.filtered_shadows = parameters.choice("shadows", {"opaque", "filtered"}, integrator.filtered_shadows ? 1 : 0) == 1;
     parameters.expect_all_known();

@@ -195,7 +195,7 @@ TEST(Aovs, DepthAndPositionAreMeansOfHitsNormalAndAlbedoOfAllSamples) {
     scene.background = Spectrum(0);
     add_triangle(scene, add_material(scene, matte(0.5f)), {0, -1000, 0}, {0, 1000, 0}, {-1000, 0, 0});
     const Channels channels = render_aovs(scene);
-    // The middle pixel is halved, so that half of each stratified set hits: grids of 8 x 4 and 4 x 8 cells are cut between columns.
+    // The middle pixel is halved, so that half of its samples hit: of each half of them half lie left of the middle.
     EXPECT_EQ(channels.at("N.Z").floats[1], 0.5f);
     EXPECT_EQ(channels.at("albedo.R").floats[1], 0.25f);
     EXPECT_GE(channels.at("depth.Z").floats[1], 4);

@@ -83,7 +83,7 @@ const Layouts &host_layouts() {
         RECORD(FilmPixel, sums, squares, counts),
         RECORD(AovPixel, sums, count, spare),
         RECORD(Camera, position, corner, right, down, width, height),
-        RECORD(BatchParams, pixels, first_sample, samples, spp, columns, rows, seed, position),
+        RECORD(BatchParams, pixels, first_sample, samples, spp, seed, position),
         RECORD(FilterParams, radius, negative_tail, weight),
         RECORD(FilmBand, first_row, rows, first_column, width),
         RECORD(WhittedParams, max_depth, threshold),

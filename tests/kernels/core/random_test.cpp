@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/probe.h"
@@ -65,6 +66,24 @@ TEST_P(RandomNumbers, AreRandomInEveryNeighbourhood) {
     }
     EXPECT_TRUE(plausible(p_values));
     EXPECT_TRUE(plausible(statistics::uniformity_p(p_values)));
+}
+
+TEST(Random, HashMapsDifferentNumbersToDifferentOnes) {
+    constexpr uint n = 1 << 20;
+    std::vector<uint> x(n);
+    for (uint i = 0; i < n; ++i) x[i] = i;
+    std::vector<uint> y = Probe(R"(#include "kernels/core/random.cl"
+        kernel void probe(const global uint *x, global uint *y) { y[get_global_id(0)] = hash(x[get_global_id(0)]); })")
+                              .run<uint>(x);
+    std::sort(y.begin(), y.end());
+    EXPECT_EQ(std::unique(y.begin(), y.end()), y.end());
+}
+
+TEST(Random, UnitIntervalIsAtLeast0AndBelow1) {
+    const std::vector<float> y = Probe(R"(#include "kernels/core/random.cl"
+        kernel void probe(const global uint *x, global float *y) { y[get_global_id(0)] = unit_interval(x[get_global_id(0)]); })")
+                                     .run<float>(std::vector<uint>{0, 255, 256, 0x80000000u, 0xffffffffu});
+    EXPECT_EQ(y, (std::vector<float>{0, 0, 0x1p-24f, 0.5f, 1 - 0x1p-24f}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Kernels, RandomNumbers, testing::ValuesIn(ways), [](const auto &info) { return "Way" + std::to_string(info.index); });

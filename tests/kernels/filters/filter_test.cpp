@@ -104,16 +104,9 @@ Integer128 wide(__int128 x) { return {static_cast<std::uint64_t>(x), static_cast
 
 /// Four samples of two pixels: which are negative follows from the sampler alone.
 TEST(WeighSamples, MultipliesEachSampleByItsSignAndTheWeightExactly) {
-    const Sources lists = {{"generated/sampler.cl", "#include \"kernels/samplers/stratified.cl\"\n"}};
+    const Sources lists = {{"generated/sampler.cl", "#include \"kernels/samplers/sobol.cl\"\n"}};
     constexpr uint pixel_count = 64, samples = 4, count = pixel_count * samples;
-    const BatchParams batch = {.pixels = pixel_count,
-                               .first_sample = 2,
-                               .samples = samples,
-                               .spp = 8,
-                               .columns = {2, 2},
-                               .rows = {2, 2},
-                               .seed = 3,
-                               .position = PIXEL_CENTER};
+    const BatchParams batch = {.pixels = pixel_count, .first_sample = 2, .samples = samples, .spp = 8, .seed = 3, .position = PIXEL_CENTER};
     const FilterParams filter = {.radius = 2, .negative_tail = 0.3f, .weight = 0x4c000001u};
     std::vector<uint> pixels, pixel_of, sample_of;
     std::vector<Sample> before;
@@ -126,7 +119,7 @@ TEST(WeighSamples, MultipliesEachSampleByItsSignAndTheWeightExactly) {
     }
     // Products just below multiples of 2^64, where rounding carries.
     for (uint k = 1; k <= 16; ++k) before[k].sum[0] = wide(((__int128{k} << 64) - 1) / filter.weight);
-    const std::vector<vec2> u = Probe(R"(#include "kernels/samplers/stratified.cl"
+    const std::vector<vec2> u = Probe(R"(#include "kernels/samplers/sobol.cl"
         kernel void probe(const global uint *pixels, const global uint *samples, const global BatchParams *batch, global vec2 *positions) {
             positions[get_global_id(0)] = sampler_pixel_position(pixels[get_global_id(0)], samples[get_global_id(0)], *batch);
         })")
@@ -151,11 +144,11 @@ TEST(WeighSamples, MultipliesEachSampleByItsSignAndTheWeightExactly) {
 
 /// What add_samples cuts and counts must not become less bright here.
 TEST(WeighSamples, WhatIsTooBrightStaysTooBright) {
-    const Sources lists = {{"generated/sampler.cl", "#include \"kernels/samplers/stratified.cl\"\n"}};
+    const Sources lists = {{"generated/sampler.cl", "#include \"kernels/samplers/sobol.cl\"\n"}};
     Device &device = test_device();
     const __int128 limit = __int128{1} << 49;
     const std::vector<Sample> before = {{{wide(limit), wide(limit + 1), wide(-(limit << 20))}}};
-    const BatchParams batch = {.pixels = 1, .first_sample = 0, .samples = 1, .spp = 2, .columns = {1, 1}, .rows = {1, 1}};
+    const BatchParams batch = {.pixels = 1, .first_sample = 0, .samples = 1, .spp = 2};
     const FilterParams filter = {.radius = 2, .negative_tail = 0, .weight = 1u << 30};
     const Buffer<Sample> after(device, before);
     Kernel(device, "kernels/stages/weigh_samples.cl", "weigh_samples", lists)(1, batch, filter, Buffer<uint>(device, std::vector<uint>{0}), 1u,

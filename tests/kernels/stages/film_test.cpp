@@ -30,8 +30,7 @@ struct Part {
 void add(Film &film, const Part &part) {
     Device &device = test_device();
     const Buffer<uint> pixels(device, part.pixels);
-    const BatchParams params{
-        .pixels = uint(part.pixels.size()), .first_sample = part.first, .samples = part.samples, .spp = 64, .columns = {8, 8}, .rows = {4, 4}};
+    const BatchParams params{.pixels = uint(part.pixels.size()), .first_sample = part.first, .samples = part.samples, .spp = 64};
     const std::vector<uint> outside;
     film.add(Batch{.params = params, .pixels = pixels, .camera = {}, .interior = outside}, Buffer<Sample>(device, part.sums));
 }

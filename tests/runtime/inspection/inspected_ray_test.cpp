@@ -94,20 +94,20 @@ TEST(InspectedRay, OfTheMirrorMeetsTheWallAndItsLights) {
 
 TEST(InspectedRay, SaysWhyAChildWasNotSpawned) {
     Scene scene = mirror_and_wall();
-    const auto why = [&](const TracedRay &ray, std::size_t j) {
-        return why_not_spawned(ray, j, scene.materials[ray.point.material].record, scene.integrator);
+    const auto why = [&](const TracedRay &ray, uint kind) {
+        return why_not_spawned(ray, kind, scene.materials[ray.point.material].record, scene.integrator);
     };
     const TracedRay eye = traced(scene);
-    EXPECT_EQ(why(eye, 0), "");
+    EXPECT_EQ(why(eye, RAY_REFLECTED), "");
     ASSERT_TRUE(eye.children.at(0).traced);
-    EXPECT_EQ(why(*eye.children[0].traced, 0), "the material does not reflect");
+    EXPECT_EQ(why(*eye.children[0].traced, RAY_REFLECTED), "the material does not reflect");
 
     scene.integrator.threshold = 0.75f;
-    EXPECT_EQ(why(traced(scene), 0), "its throughput, 0.5, is below integrator.threshold, 0.75");
+    EXPECT_EQ(why(traced(scene), RAY_REFLECTED), "its throughput, 0.5, is below integrator.threshold, 0.75");
     scene.integrator.threshold = 0;
     scene.integrator.max_depth = 1;
     const TracedRay last = traced(scene);
-    EXPECT_EQ(why(last, 0), "depth limit: integrator.max_depth is 1");
+    EXPECT_EQ(why(last, RAY_REFLECTED), "depth limit: integrator.max_depth is 1");
     EXPECT_EQ(last.children[0].weight, Spectrum(0.5f)) << "weights are known of those too";
 }
 
@@ -118,17 +118,17 @@ TEST(InspectedRay, TellsTotalReflection) {
     const float h = std::sqrt(3.0f) / 2;
     const auto on_pane = [&](float x, float s) { return vec3(x, 0.5f * s, h * s - 4); };
     add_triangle(scene, pane, on_pane(-5, -3), on_pane(0, 3), on_pane(5, -3));
-    const auto why = [&](const TracedRay &ray, std::size_t j) {
-        return why_not_spawned(ray, j, scene.materials[ray.point.material].record, scene.integrator);
+    const auto why = [&](const TracedRay &ray, uint kind) {
+        return why_not_spawned(ray, kind, scene.materials[ray.point.material].record, scene.integrator);
     };
     const TracedRay total = traced(scene);
     ASSERT_TRUE(total.hits());
     EXPECT_NEAR(total.description.cosine, 0.5, 1e-6);
     EXPECT_NEAR(total.description.cosine_squared_beyond, 1 - 2.25 * 0.75, 1e-5);
     EXPECT_EQ(total.interface.eta, 1.5f);
-    EXPECT_EQ(why(total, reflected_child), "");
-    EXPECT_EQ(total.children[reflected_child].weight, Spectrum(1));
-    EXPECT_EQ(why(total, refracted_child), "total internal reflection");
+    EXPECT_EQ(why(total, RAY_REFLECTED), "");
+    EXPECT_EQ(total.children[0].weight, Spectrum(1));
+    EXPECT_EQ(why(total, RAY_REFRACTED), "total internal reflection");
 }
 
 /// A ball within a ball of the same glass: its faces are no interfaces. The far side of the outer one is met 6 from the near one.
@@ -138,8 +138,8 @@ TEST(InspectedRay, PassesFacesThatAreNoInterfaces) {
     add_sphere(scene, ball, {0, 0, -8}, 3);
     add_sphere(scene, ball, {0, 0, -8}, 1);
     const TracedRay eye = traced(scene);
-    ASSERT_TRUE(eye.children.at(refracted_child).traced);
-    const TracedRay &inside = *eye.children[refracted_child].traced;
+    ASSERT_TRUE(eye.children.at(1).traced);
+    const TracedRay &inside = *eye.children[1].traced;
     EXPECT_TRUE(inside.passed_faces());
     ASSERT_EQ(inside.passed.size(), 2u);
     for (const PassedFace &face : inside.passed) EXPECT_EQ(face.hit.primitive, 1u);
@@ -164,8 +164,8 @@ TEST(InspectedRay, ListsAllFacesThatItPasses) {
     add_sphere(scene, ball, {0, 0, -8}, 3);
     for (int i = 0; i < 6; ++i) add_sphere(scene, ball, {0, 0, -8}, 1 - 0.1f * float(i));
     const TracedRay eye = traced(scene);
-    ASSERT_TRUE(eye.children.at(refracted_child).traced);
-    const TracedRay &inside = *eye.children[refracted_child].traced;
+    ASSERT_TRUE(eye.children.at(1).traced);
+    const TracedRay &inside = *eye.children[1].traced;
     ASSERT_EQ(inside.passed.size(), 12u);
     for (uint i = 0; i < 12; ++i) {
         const PassedFace &face = inside.passed[i];
@@ -250,9 +250,9 @@ TEST(InspectedRay, TellsWeightZero) {
     add_sphere(scene, ball, {0, 0, -8}, 3);
     const TracedRay eye = traced(scene);
     const Material &material = scene.materials[ball].record;
-    EXPECT_EQ(eye.children.at(refracted_child).weight, Spectrum(1));
-    EXPECT_EQ(why_not_spawned(eye, refracted_child, material, scene.integrator), "");
-    EXPECT_EQ(why_not_spawned(eye, reflected_child, material, scene.integrator), "its throughput is 0");
+    EXPECT_EQ(eye.children.at(1).weight, Spectrum(1));
+    EXPECT_EQ(why_not_spawned(eye, RAY_REFRACTED, material, scene.integrator), "");
+    EXPECT_EQ(why_not_spawned(eye, RAY_REFLECTED, material, scene.integrator), "its throughput is 0");
 }
 
 }  // namespace

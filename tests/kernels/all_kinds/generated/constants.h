@@ -1,6 +1,8 @@
 // With everything, for lint and editors.
 #pragma once
 #define BRANCHING 2u
+#define TRANSMITS 1
+#define FOLLOWS_ONE 0
 #define INTERIOR_SIZE 4u
 #define HIGHLIGHTS 1
 #define SHADING_NORMALS 1

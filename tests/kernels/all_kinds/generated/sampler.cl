@@ -1,3 +1,3 @@
 // The default, for lint and editors.
 #pragma once
-#include "kernels/samplers/stratified.cl"
+#include "kernels/samplers/sobol.cl"

@@ -1,0 +1,13 @@
+// Independent sampler: every sample lies anywhere in its pixel, whatever the others do.
+#pragma once
+#include "kernels/core/params.h"
+#include "kernels/core/random.cl"
+
+/// Position of a pixel's sample in [0, 1)².
+FUNCTION vec2 sampler_pixel_position(uint pixel, uint sample, BatchParams batch) {
+    const uint random = hash(pixel ^ hash(sample ^ hash(batch.seed)));
+    vec2 position;
+    position.x = unit_interval(random);
+    position.y = unit_interval(hash(random + 1u));
+    return position;
+}
