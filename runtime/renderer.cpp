@@ -10,13 +10,6 @@
 namespace brandung {
 namespace {
 
-/// Samples of one pixel that one batch takes, the first `done` being done: few, so that an interrupted picture is whole, if noisier, and of many just
-/// one at first, so that there is a whole picture soon; but more where the whole picture is in every batch anyway.
-uint samples_at_once(const FilmSettings &film, uint batch, uint done) {
-    const std::uint64_t few = 16, pass = done == 0 && film.spp > few ? 1 : few, pixels = film.window().pixels();
-    return static_cast<uint>(std::min<std::uint64_t>({film.spp - done, batch, std::max(pass, batch / pixels)}));
-}
-
 /// What all batches have in common.
 BatchParams common_params(const FilmSettings &film) {
     return {.pixels = 0, .first_sample = 0, .samples = 0, .spp = film.spp, .seed = film.seed, .position = film.pixel};
@@ -46,8 +39,11 @@ public:
     explicit Announcement(const std::vector<Observer> &observers) : observers_(observers), told_(observers.size()) {}
 
     /// Those whose time has come, and what time it is; false if one of them stops the render.
-    bool tell(RenderProgress &progress) {
+    bool tell(RenderProgress &progress, const Schedule &schedule) {
         progress.seconds = seconds();
+        const double of_samples = static_cast<double>(progress.samples_done) / static_cast<double>(progress.samples_total);
+        progress.part = schedule.part(of_samples, progress.seconds);
+        progress.seconds_left = schedule.seconds_left(progress.seconds);
         bool goes_on = true;
         for (std::size_t i = 0; i < observers_.size(); ++i) {
             if (progress.seconds - told_[i] < observers_[i].seconds) continue;
@@ -57,12 +53,35 @@ public:
         return goes_on;
     }
 
-private:
+    /// Since the render began.
     double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
+private:
     const std::vector<Observer> &observers_;
     std::vector<double> told_;  ///< when the calls ended
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// The noise of a film now and then: it may take a hundredth of the time, unless somebody cannot do without.
+class NoiseWatch {
+public:
+    NoiseWatch(const Film &film, bool always) : film_(film), always_(always) {}
+
+    /// As known so many seconds after the beginning.
+    const std::optional<Noise> &after_pass(double seconds) {
+        if (!always_ && seconds < next_) return noise_;
+        const auto start = std::chrono::steady_clock::now();
+        noise_ = film_.noise();
+        const double cost = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        next_ = seconds + std::max(1.0, 100 * cost);
+        return noise_;
+    }
+
+private:
+    const Film &film_;
+    bool always_;
+    double next_ = 1;
+    std::optional<Noise> noise_;
 };
 
 }  // namespace
@@ -95,30 +114,44 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
 std::size_t Renderer::wave_bytes() const { return integrator_->wave_bytes() + filter_.bytes() + pixels_.bytes() + samples_.bytes(); }
 
 RenderEnd Renderer::render(Film &film, const std::vector<Observer> &observers, Aovs *aovs) {
-    RenderProgress progress{0, film.window().pixels() * film_settings_.spp, 0};
+    RenderProgress progress{.samples_total = film.window().pixels() * film_settings_.spp};
+    RenderEnd end{.complete = false};
     try {
-        const bool complete = render_batches(film, progress, observers, aovs);
-        return {complete, "", progress.samples_done, progress.samples_total};
+        end.complete = render_passes(film, progress, end.spp, observers, aovs);
     } catch (const Error &error) {
         if (progress.samples_done == 0) throw;
-        return {false, error.what(), progress.samples_done, progress.samples_total};
+        end.failure = error.what();
     }
+    end.samples_done = progress.samples_done, end.samples_total = progress.samples_total;
+    end.noise = progress.noise;
+    return end;
 }
 
 /// False if stopped before the end.
-bool Renderer::render_batches(Film &film, RenderProgress &progress, const std::vector<Observer> &observers, Aovs *aovs) {
+bool Renderer::render_passes(Film &film, RenderProgress &progress, uint &spp, const std::vector<Observer> &observers, Aovs *aovs) {
     Announcement announcement(observers);
-    const uint spp = film_settings_.spp;
-    for (uint first = 0, samples = 0; first < spp; first += samples) {
-        samples = samples_at_once(film_settings_, options_.batch, first);
+    Schedule schedule(film_settings_, options_.batch, options_.stop);
+    NoiseWatch noise(film, schedule.needs_noise());
+    bool goes_on = true, in_time = true;
+    for (uint samples = schedule.next_pass(); samples > 0; samples = schedule.next_pass()) {
         const uint pixels_at_once = options_.batch / samples;
         PixelOrder order(film.window());
-        for (auto pixels = order.next(pixels_at_once); !pixels.empty(); pixels = order.next(pixels_at_once)) {
-            render_batch(film, pixels, first, samples, aovs, nullptr);
+        for (auto pixels = order.next(pixels_at_once); goes_on && in_time && !pixels.empty(); pixels = order.next(pixels_at_once)) {
+            render_batch(film, pixels, schedule.samples_done(), samples, aovs, nullptr);
             progress.samples_done += pixels.size() * samples;
-            if (!announcement.tell(progress)) return progress.samples_done == progress.samples_total;
+            in_time = !schedule.is_late(announcement.seconds());
+            goes_on = announcement.tell(progress, schedule);
         }
+        if (!goes_on || !in_time) break;
+        progress.noise = noise.after_pass(announcement.seconds());
+        schedule.end_pass(samples, announcement.seconds(), progress.noise);
+        spp = schedule.samples_done();
     }
+    if (film_settings_.spp > 1) progress.noise = film.noise();
+    const bool all = progress.samples_done == progress.samples_total;
+    if (all || !goes_on) return all;
+    progress.samples_total = progress.samples_done;  // a rule has ended it
+    announcement.tell(progress, schedule);
     return true;
 }
 

@@ -3,19 +3,24 @@
 #include <functional>
 
 #include "runtime/integrators/integrator.h"
+#include "runtime/schedule.h"
 #include "runtime/wavefront/aovs.h"
 #include "runtime/wavefront/film.h"
 
 namespace brandung {
 
 struct RenderProgress {
-    std::uint64_t samples_done = 0, samples_total = 0;
+    std::uint64_t samples_done = 0, samples_total = 0;  ///< the total may turn out to be less, where a rule ends the render
     double seconds = 0;
+    double part = 0;                     ///< that is done, from 0 to 1
+    std::optional<double> seconds_left;  ///< as far as rules say it
+    std::optional<Noise> noise;          ///< as it was after a pass, now and then
 };
 
 struct RenderOptions {
-    uint batch = 32768;  ///< rays per wave
-    WatchSteps on_step;  ///< of the integrator's loop
+    uint batch = 32768;    ///< rays per wave
+    WatchSteps on_step{};  ///< of the integrator's loop
+    StopRules stop{};
 };
 
 /// Is told of a render under way after its batches, and may look at the film.
@@ -29,6 +34,8 @@ struct RenderEnd {
     bool complete = false;  ///< all samples are in the film
     std::string failure;    ///< what the device could not do, if that ended it
     std::uint64_t samples_done = 0, samples_total = 0;
+    std::optional<Noise> noise;  ///< of the film, where it has two samples of a pixel
+    uint spp = 0;                ///< samples of every pixel, by whole passes
 };
 
 /// The camera's frustum for a picture of width x height.
@@ -40,8 +47,8 @@ public:
     /// settings that contradict each other, BuildError, and Error where the device cannot hold that much.
     Renderer(Device &device, const Scene &scene, const CompiledScene &compiled, const DeviceScene &on_device, const CameraDescription &camera,
              RenderOptions options);
-    /// Renders all samples into the film, and what they hit first into `aovs` if given. Throws Error if the first batch fails; if a later one does,
-    /// what there is so far is kept, as it is where an observer throws.
+    /// Renders all samples, or as many as the rules ask for, into the film, and what they hit first into `aovs` if given. Throws Error if the first
+    /// batch fails; if a later one does, what there is so far is kept, as it is where an observer throws.
     RenderEnd render(Film &film, const std::vector<Observer> &observers = {}, Aovs *aovs = nullptr);
 
     /// Renders samples first ... first + samples of one pixel, at most as many as rays in a wave, into the film, and gives what was added to
@@ -57,7 +64,7 @@ public:
     std::size_t wave_bytes() const;
 
 private:
-    bool render_batches(Film &film, RenderProgress &progress, const std::vector<Observer> &observers, Aovs *aovs);
+    bool render_passes(Film &film, RenderProgress &progress, uint &spp, const std::vector<Observer> &observers, Aovs *aovs);
     void render_batch(Film &film, const std::vector<uint> &pixels, uint first, uint samples, Aovs *aovs, WaveObserver *observer);
 
     Device &device_;

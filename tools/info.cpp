@@ -19,7 +19,7 @@ std::string text_of(const json &value) { return value.get<std::string>(); }
 
 json describe(const Options &options) {
     const Scene scene = read_scene(options);
-    const Job job(scene, options, nullptr);
+    const Job job(scene, options);
     return {{"file", scene.file},
             {"scene", scene_contents(scene, job.compiled)},
             {"device", job.device.info().name},

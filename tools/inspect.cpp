@@ -55,7 +55,7 @@ nlohmann::json inspect(const Options &options) {
     const Scene scene = read_scene(options);
     const Place place = read_place(options.place, scene.film);
     const SampleRange samples = read_samples(options.sample, scene.film.spp);
-    Job job(scene, options, nullptr);
+    Job job(scene, options);
     const InspectedPixel pixel =
         inspect_pixel({job.device, job.on_device, job.renderer, job.film, scene.film.spp, options.batch}, place.x, place.y, samples);
     return inspection_json(scene, job.compiled, pixel, place.x, place.y);

@@ -18,10 +18,10 @@ void refuse_if_distrusted(const DeviceInfo &device) {
         throw Error(fmt::format("'{}' has failed brandung selftest: {}; --untrusted-device takes it all the same", device.name, why_not));
 }
 
-Device select_device(const SceneOptions &options, std::function<void(const std::string &)> on_build) {
+Device select_device(const SceneOptions &options, JobWatch &watch) {
     Device device = Device::select(options.device, options.threads);
     if (!options.untrusted_device) refuse_if_distrusted(device.info());
-    device.on_build(std::move(on_build));
+    device.on_build(std::move(watch.on_build)), device.on_built(std::move(watch.on_built)), device.on_launch(std::move(watch.on_launch));
     return device;
 }
 
@@ -29,11 +29,11 @@ Device select_device(const SceneOptions &options, std::function<void(const std::
 
 double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-Job::Job(const Scene &scene, const SceneOptions &options, std::function<void(const std::string &)> on_build, WatchSteps on_step)
+Job::Job(const Scene &scene, const SceneOptions &options, JobWatch watch, const StopRules &stop)
     : scene(scene),
       camera(chosen_camera(scene, options.camera)),
       compiled(timed(seconds.scene, [&] { return compile(scene); })),
-      device(timed(seconds.device, [&] { return select_device(options, std::move(on_build)); })),
+      device(timed(seconds.device, [&] { return select_device(options, watch); })),
       on_device(timed(seconds.device, [&] { return DeviceScene(device, compiled); })),
       film(timed(seconds.kernels, [&] { return Film(device, scene.film.window()); })),
       aovs(timed(seconds.kernels,
@@ -43,7 +43,7 @@ Job::Job(const Scene &scene, const SceneOptions &options, std::function<void(con
                      return aovs;
                  })),
       renderer(timed(seconds.kernels, [&] {
-          return Renderer(device, scene, compiled, on_device, camera, {options.batch, std::move(on_step)});
+          return Renderer(device, scene, compiled, on_device, camera, {options.batch, std::move(watch.on_step), stop});
       })) {
     seconds.accelerator = compiled.accelerator_seconds;
     seconds.scene -= seconds.accelerator;

@@ -32,9 +32,17 @@ template <class Phase> auto timed(double &seconds, Phase phase) {
     return phase();
 }
 
+/// Who is told of what a job does; each may be empty.
+struct JobWatch {
+    std::function<void(const std::string &file)> on_build;  ///< before a kernel file is built
+    std::function<void(const Build &)> on_built;
+    std::function<void(const Launch &)> on_launch;
+    WatchSteps on_step;
+};
+
 struct Job {
-    /// `scene` must live as long. `on_build` is called with a kernel file's name before it is built. Throws SceneError and Error.
-    Job(const Scene &scene, const SceneOptions &options, std::function<void(const std::string &)> on_build, WatchSteps on_step = {});
+    /// `scene` must live as long. Throws SceneError and Error.
+    Job(const Scene &scene, const SceneOptions &options, JobWatch watch = {}, const StopRules &stop = {});
     /// Looks from the camera turned by an angle [radians], and turns the headlight with it, if there is one.
     void turn(double angle);
     /// Of scene, film and waves, at most.

@@ -38,6 +38,12 @@ void check_bits(const OutputOptions &options, const PictureStyle &style) {
     }
 }
 
+std::string names(const nlohmann::json &list) {
+    std::string text;
+    for (const auto &each : list) text += (text.empty() ? "" : ", ") + each["name"].get<std::string>();
+    return text;
+}
+
 std::map<std::string, std::string> metadata(const Job &job, const PhaseSeconds &seconds, const RenderEnd &end, bool running, float exposure) {
     const char *const positions[] = {"corner", "center", "random"};
     const FilmSettings &film = job.scene.film;
@@ -51,7 +57,7 @@ std::map<std::string, std::string> metadata(const Job &job, const PhaseSeconds &
                                                    {"brandung:light_samples", std::to_string(job.scene.integrator.light_samples)},
                                                    {"brandung:follow", job.scene.integrator.follows_one ? "one" : "both"},
                                                    {"brandung:shadows", job.scene.integrator.filtered_shadows ? "filtered" : "opaque"},
-                                                   {"brandung:spp", std::to_string(film.spp)},
+                                                   {"brandung:spp", std::to_string(end.complete ? end.spp : film.spp)},
                                                    {"brandung:seed", std::to_string(film.seed)},
                                                    {"brandung:sampler", sampler_kinds()[film.sampler].name},
                                                    {"brandung:filter", filter_kinds()[film.filter].name},
@@ -60,6 +66,10 @@ std::map<std::string, std::string> metadata(const Job &job, const PhaseSeconds &
                                                    {"brandung:exposure", fmt::format("{}", exposure)},
                                                    {"brandung:tone", tone_kinds()[film.tone].name},
                                                    {"brandung:statistics", statistics(job, seconds, end).dump()}};
+    if (end.noise)
+        metadata.insert({{"brandung:noise", fmt::format("{:.6g}", end.noise->relmse)},
+                         {"brandung:noise_confidence_95", fmt::format("{:.6g} {:.6g}", end.noise->low(), end.noise->high())},
+                         {"brandung:biased_by", names(biases(job))}});
     if (!end.complete)
         metadata.insert({{running ? "brandung:unfinished" : "brandung:interrupted", "true"}, {"brandung:samples", samples_taken(end)}});
     return metadata;

@@ -14,10 +14,12 @@ std::string duration(double seconds) {
 }
 
 std::string line_for(const Pace &pace, const RenderProgress &progress) {
-    const double part = static_cast<double>(progress.samples_done) / static_cast<double>(progress.samples_total);
-    const std::string done(static_cast<std::size_t>(part * bar_width), '#'), bar = fmt::format("[{:<30}] {:3.0f} %", done, 100 * part);
-    const auto speed = pace.samples_per_second(), left = pace.seconds_left();
-    return speed ? fmt::format("{}  {:.2f} M samples/s  {} left", bar, *speed * 1e-6, duration(*left)) : bar;
+    const std::string done(static_cast<std::size_t>(progress.part * bar_width), '#');
+    std::string line = fmt::format("[{:<30}] {:3.0f} %", done, 100 * progress.part);
+    if (const auto speed = pace.samples_per_second()) line += fmt::format("  {:.2f} M samples/s", *speed * 1e-6);
+    if (const auto &noise = progress.noise) line += fmt::format("  noise {:.3g} ± {:.1g}", noise->relmse, noise->half_width);
+    if (const auto left = pace.seconds_left()) line += fmt::format("  {} left", duration(*left));
+    return line;
 }
 
 }  // namespace

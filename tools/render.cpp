@@ -35,7 +35,23 @@ void leave_out_aovs(const RenderCommandOptions &options, Scene &scene) {
 void check_files(const RenderCommandOptions &options, const Scene &scene) {
     check_distinct(options, scene);
     for (uint picture = 0; picture < options.pictures(); ++picture) check_outputs(options.outputs_of(picture), scene.film);
-    if (!options.stats.empty()) check_writable(options.stats);
+    for (const std::string &file : {options.stats, options.trace})
+        if (!file.empty()) check_writable(file);
+}
+
+/// The preview and the trace look at what a job does, where there are any.
+JobWatch watch_of(Preview &preview, std::optional<Trace> &trace, const std::function<void(const std::string &)> &say) {
+    JobWatch watch{.on_build = [&say](const std::string &file) { say("building " + file); }, .on_built = {}, .on_launch = {}, .on_step = {}};
+    if (trace) {
+        watch.on_built = [&trace](const Build &build) { trace->add(build); };
+        watch.on_launch = [&trace](const Launch &launch) { trace->add(launch); };
+    }
+    if (trace || preview.active())
+        watch.on_step = [&preview, &trace](const WaveStep &step) {
+            if (trace) trace->add(step);
+            if (preview.active()) preview.add_step(step);
+        };
+    return watch;
 }
 
 int status_of(const RenderEnd &end) {
@@ -56,25 +72,32 @@ int render(const RenderCommandOptions &options) {
 
     Preview preview(targets, scene, options.outputs.files.front(), options.batch);
     for (const std::string &url : preview.urls()) fmt::print(stderr, "preview: {}\n", url);
-    const auto say = [&](const std::string &what) { progress.say(what), preview.say(what); };
-    const WatchSteps on_step = preview.active() ? [&](const WaveStep &step) { preview.add_step(step); } : WatchSteps();
-    Job job(
-        scene, options, [&](const std::string &file) { say("building " + file); }, on_step);
+    const std::function<void(const std::string &)> say = [&](const std::string &what) { progress.say(what), preview.say(what); };
+    std::optional<Trace> trace;
+    if (!options.trace.empty()) trace.emplace().add_phase("read", start, seconds_now());
+    const double prepared = seconds_now();
+    Job job(scene, options, watch_of(preview, trace, say), options.stop);
     preview.begin(job);
     progress.clear();
     print_warnings(options, job);
     check_memory(job);
     if (options.explain) print_result(explain(features(job)));
     handle_interruptions();
-    if (!options.quiet) print_plan(job);
+    if (!options.quiet) print_plan(job, options.stop);
     say("first batch: what the kernel cache does not have is compiled");
 
     PhaseSeconds seconds = job.seconds;
     seconds.read = read_seconds;
-    const auto [end, exposure] = render_pictures(options, job, seconds, preview, progress);
+    const double begun = seconds_now();
+    const auto [end, exposure] = render_pictures(options, job, seconds, preview, trace ? &*trace : nullptr, progress);
     preview.finish(end, job);
+    if (trace) {
+        trace->add_phase("prepare", prepared, begun), trace->add_phase("render and write", begun, seconds_now());
+        trace->write(options.trace, "brandung render " + options.scene);
+    }
     seconds.total = seconds_now() - start;
     if (!options.stats.empty()) write_text(options.stats, statistics(job, seconds, end).dump(2) + "\n");
+    if (!options.quiet) print_noise(job, end);
     print_losses(job);
     if (scene.film.automatic_exposure)
         fmt::print(stderr, "exposure: --exposure {}{}\n", exposure, options.turntable ? ", which the first picture has chosen" : "");
@@ -89,7 +112,10 @@ void add_render(CLI::App &app, int &status) {
     CLI::App *command = app.add_subcommand("render", "render a scene to one or more pictures");
     auto options = std::make_shared<RenderCommandOptions>();
     add_render_options(*command, *options);
-    command->callback([options, &status] { status = render(*options); });
+    command->callback([options, &status] {
+        lift_limit_of_samples(*options);
+        status = render(*options);
+    });
 }
 
 }  // namespace brandung

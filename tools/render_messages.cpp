@@ -2,6 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
+#include "scene/formats/limits.h"
+#include "tools/report.h"
 #include "tools/report_text.h"
 
 namespace brandung {
@@ -22,16 +26,38 @@ void print_warnings(const RenderCommandOptions &options, const Job &job) {
         fmt::print(stderr, "warning: --threads {}: '{}' has only {} compute units\n", options.threads, device.name, device.compute_units);
 }
 
-void print_plan(const Job &job) {
+namespace {
+
+/// "16 spp", "until the noise is below 0.01 or 60 s have passed".
+std::string extent_text(const FilmSettings &film, const StopRules &stop) {
+    std::string text = film.spp == max_samples ? "" : fmt::format("{} spp", film.spp);
+    const auto add = [&](const std::string &rule) { text += (text.empty() ? "until " : " or ") + rule; };
+    if (stop.error) add(fmt::format("the noise is below {:g}", *stop.error));
+    if (stop.seconds) add(fmt::format("{:g} s have passed", *stop.seconds));
+    return text.empty() ? fmt::format("{} spp", film.spp) : text;
+}
+
+}  // namespace
+
+void print_plan(const Job &job, const StopRules &stop) {
     for (const std::string &note : job.scene.notes) fmt::print(stderr, "{}\n", note);
     const FilmSettings &film = job.scene.film;
     const Window window = film.window();
     const std::size_t texture_bytes = job.on_device.texture_bytes();
     const std::string textures = texture_bytes == 0 ? "" : fmt::format("textures {:.1f} MiB, ", mebibytes(texture_bytes));
     const std::string part = film.crop ? fmt::format(" (from {}, {} on, of {} x {})", window.left, window.top, film.width, film.height) : "";
-    fmt::print(stderr, "{}: {} x {}{}, {} spp on {}; memory: scene {:.1f} MiB, {}film {:.1f} MiB, waves at most {:.1f} MiB\n", job.scene.file,
-               window.width(), window.height(), part, film.spp, job.device.info().name, mebibytes(job.on_device.bytes()), textures,
+    fmt::print(stderr, "{}: {} x {}{}, {} on {}; memory: scene {:.1f} MiB, {}film {:.1f} MiB, waves at most {:.1f} MiB\n", job.scene.file,
+               window.width(), window.height(), part, extent_text(film, stop), job.device.info().name, mebibytes(job.on_device.bytes()), textures,
                mebibytes(job.film_bytes()), mebibytes(job.renderer.wave_bytes()));
+}
+
+void print_noise(const Job &job, const RenderEnd &end) {
+    if (!end.noise) return;
+    std::string text = fmt::format("noise: relMSE {:.3g}, with a confidence of 95 % from {:.3g} to {:.3g}, after {} spp", end.noise->relmse,
+                                   end.noise->low(), end.noise->high(), end.spp);
+    std::string separator = "; wrong beyond that by ";
+    for (const auto &bias : biases(job)) text += std::exchange(separator, ", ") + bias["name"].get<std::string>();
+    fmt::print(stderr, "{}\n", text);
 }
 
 void print_losses(const Job &job) {

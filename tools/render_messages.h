@@ -11,7 +11,9 @@ void check_memory(const Job &job);
 
 void print_warnings(const RenderCommandOptions &options, const Job &job);
 /// What was chosen where the scene says nothing, and what the render will take.
-void print_plan(const Job &job);
+void print_plan(const Job &job, const StopRules &stop);
+/// How much noise the picture has, and what makes it wrong beyond that.
+void print_noise(const Job &job, const RenderEnd &end);
 /// What the picture has lost.
 void print_losses(const Job &job);
 /// Viewers that have gone away since the last time.

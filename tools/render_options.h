@@ -12,15 +12,19 @@ namespace brandung {
 
 struct RenderCommandOptions : SceneOptions {
     OutputOptions outputs;
-    std::string stats;
+    std::string stats, trace;
     std::vector<std::string> previews;
     std::string preview_hold;
     std::optional<double> save_every;  ///< [s]
     std::optional<uint> turntable;     ///< pictures
+    StopRules stop;
     uint pictures() const { return turntable.value_or(1); }
     OutputOptions outputs_of(uint picture) const { return turntable ? numbered(outputs, picture) : outputs; }
     bool explain = false, quiet = false;
 };
+
+/// Where a rule is to end the render, samples are not limited unless somebody says so.
+void lift_limit_of_samples(RenderCommandOptions &options);
 
 /// `options` must live until the command has run.
 void add_render_options(CLI::App &command, RenderCommandOptions &options);

@@ -16,13 +16,17 @@ class Sequence {
 public:
     explicit Sequence(uint pictures) : pictures_(pictures) {}
     RenderProgress whole(const RenderProgress &of_picture) const {
-        const std::uint64_t samples = of_picture.samples_total;
-        return {done_ * samples + of_picture.samples_done, pictures_ * samples, seconds_now() - start_};
+        RenderProgress all = of_picture;
+        all.samples_done += samples_, all.samples_total = samples_ + (pictures_ - done_) * of_picture.samples_total;
+        all.seconds = seconds_now() - start_;
+        all.part = (static_cast<double>(done_) + of_picture.part) / static_cast<double>(pictures_);
+        if (done_ + 1 < pictures_) all.seconds_left.reset();
+        return all;
     }
-    void begin_next() { ++done_; }
+    void end_picture(const RenderEnd &end) { ++done_, samples_ += end.samples_done; }
 
 private:
-    std::uint64_t pictures_, done_ = 0;
+    std::uint64_t pictures_, done_ = 0, samples_ = 0;
     double start_ = seconds_now();
 };
 
@@ -32,7 +36,7 @@ Observer saving(double every, const OutputOptions &outputs, Job &job, PhaseSecon
                 if (done.samples_done == done.samples_total) return true;
                 seconds.render = done.seconds;
                 try {
-                    write_outputs(outputs, job, seconds, {false, "", done.samples_done, done.samples_total}, true);
+                    write_outputs(outputs, job, seconds, {false, "", done.samples_done, done.samples_total, done.noise}, true);
                 } catch (const SceneError &error) {
                     progress.clear();
                     fmt::print(stderr, "warning: {}\n", error.what());
@@ -42,7 +46,7 @@ Observer saving(double every, const OutputOptions &outputs, Job &job, PhaseSecon
 }
 
 /// Who is told of every picture alike.
-std::vector<Observer> observers_of_all(const Sequence &sequence, Job &job, Preview &preview, ProgressLine &progress) {
+std::vector<Observer> observers_of_all(const Sequence &sequence, Job &job, Preview &preview, Trace *trace, ProgressLine &progress) {
     std::vector<Observer> observers = {{0, [&](const RenderProgress &of_picture) {
                                             progress.show(sequence.whole(of_picture));
                                             return !is_interrupted();
@@ -53,16 +57,21 @@ std::vector<Observer> observers_of_all(const Sequence &sequence, Job &job, Previ
                                  print_faults(preview, progress);
                                  return true;
                              }});
+    if (trace)
+        observers.push_back({0, [&job, trace](const RenderProgress &) {
+                                 trace->add(job.renderer.integrator().counts());
+                                 return true;
+                             }});
     return observers;
 }
 
 }  // namespace
 
-std::pair<RenderEnd, float> render_pictures(const RenderCommandOptions &options, Job &job, PhaseSeconds &seconds, Preview &preview,
+std::pair<RenderEnd, float> render_pictures(const RenderCommandOptions &options, Job &job, PhaseSeconds &seconds, Preview &preview, Trace *trace,
                                             ProgressLine &progress) {
     Sequence sequence(options.pictures());
-    const std::vector<Observer> of_all = observers_of_all(sequence, job, preview, progress);
-    RenderEnd all{.complete = true, .failure = "", .samples_done = 0, .samples_total = 0};
+    const std::vector<Observer> of_all = observers_of_all(sequence, job, preview, trace, progress);
+    RenderEnd all{.complete = true};
     std::optional<float> exposure;
     double write_seconds = 0;
     for (uint picture = 0; picture < options.pictures() && all.complete; ++picture) {
@@ -71,14 +80,15 @@ std::pair<RenderEnd, float> render_pictures(const RenderCommandOptions &options,
         if (picture > 0) {
             job.turn(2 * std::numbers::pi * picture / options.pictures());
             job.film.clear();
-            sequence.begin_next();
         }
         std::vector<Observer> observers = of_all;
         if (options.save_every) observers.push_back(saving(*options.save_every, outputs, job, seconds, progress));
         const RenderEnd end = timed(seconds.render, [&] { return job.renderer.render(job.film, observers, job.aovs ? &*job.aovs : nullptr); });
+        sequence.end_picture(end);
         progress.clear();
         exposure = timed(write_seconds, [&] { return write_outputs(outputs, job, seconds, end, false); });
-        all = {end.complete, end.failure, all.samples_done + end.samples_done, options.pictures() * end.samples_total};
+        all = {end.complete, end.failure, all.samples_done + end.samples_done, all.samples_done + (options.pictures() - picture) * end.samples_total,
+               end.noise,    end.spp};
     }
     seconds.write = write_seconds;
     return {all, exposure.value()};

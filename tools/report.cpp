@@ -131,6 +131,24 @@ json memory(const Job &job) {
             {"film_bytes", job.film_bytes()}};
 }
 
+/// What the picture's error is beyond noise.
+json biases(const Job &job) {
+    json list = json::array();
+    const auto add = [&](const std::string &name, const std::string &why) { list.push_back({{"name", name}, {"why", why}}); };
+    const Integrator &integrator = job.renderer.integrator();
+    for (const Bias &bias : integrator.biases()) add(bias.name, bias.why);
+    if (const uint clamped = job.film.clamped()) add("clamping", fmt::format("{} beyond 2^16 cut", counted(clamped, "sample")));
+    if (const auto refused = integrator.refused()) add("refused", fmt::format("{} that were not finite left out", counted(refused, "contribution")));
+    if (const auto lost = integrator.media_lost())
+        add("media", fmt::format("a ray entered more than its list has places for {}", counted(lost, "time")));
+    return list;
+}
+
+json noise_statistics(const std::optional<Noise> &noise) {
+    if (!noise) return nullptr;
+    return {{"relmse", noise->relmse}, {"confidence_95", {noise->low(), noise->high()}}};
+}
+
 json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &end) {
     const FilmSettings &film = job.scene.film;
     const Integrator &integrator = job.renderer.integrator();
@@ -142,7 +160,7 @@ json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &en
             {"width", film.width},
             {"height", film.height},
             {"window", {window.left, window.top, window.right, window.bottom}},
-            {"spp", film.spp},
+            {"spp", end.complete ? end.spp : film.spp},
             {"seed", film.seed},
             {"interrupted", !end.complete},
             {"samples_done", end.samples_done},
@@ -152,6 +170,8 @@ json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &en
             {"refused", integrator.refused()},
             {"media_lost", integrator.media_lost()},
             {"clamped", job.film.clamped()},
+            {"error", noise_statistics(end.noise)},
+            {"biased_by", biases(job)},
             {"kernels", kernel_statistics(job.device.profile())},
             {"memory", memory(job)},
             {"features", features(job)},

@@ -20,6 +20,10 @@ nlohmann::json features(const Job &job);
 std::string explain(const nlohmann::json &features);
 /// {"scene_bytes": ..., "texture_bytes": ..., "wave_bytes": ..., "film_bytes": ...}
 nlohmann::json memory(const Job &job);
+/// [{"name": text, "why": text}, ...]: what makes the picture wrong beyond noise.
+nlohmann::json biases(const Job &job);
+/// {"relmse": ..., "confidence_95": [low, high]}, or null.
+nlohmann::json noise_statistics(const std::optional<Noise> &noise);
 /// The fields of --stats: names are a promise. Of the times those that `seconds` knows.
 nlohmann::json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &end);
 

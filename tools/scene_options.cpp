@@ -127,7 +127,7 @@ void add_picture_options(CLI::App &command, SceneOptions &options) {
     command.add_option("--filter", options.filter, "how samples count in their pixel: box, tent, gaussian, mitchell or blackman_harris");
     command
         .add_option("--aov", options.aovs,
-                    "further channels of EXR: normal, albedo, depth, position, primitive, instance, samples or all; several as normal,albedo")
+                    "further channels of EXR: normal, albedo, depth, position, primitive, instance, samples, error or all; several as normal,albedo")
         ->delimiter(',')
         ->expected(1)
         ->take_all();

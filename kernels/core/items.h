@@ -84,7 +84,7 @@ typedef struct {
 
 /// A pixel's exact sums. Those of the samples of even and of odd number are apart: two independent estimates. Squares are in units of 2^-64.
 typedef struct {
-    Integer128 sums[2][3], squares[3];
+    Integer128 sums[2][3], squares[2][3];
     uint counts[2];
 } FilmPixel;
 

@@ -19,7 +19,7 @@ kernel void add_samples(BatchParams batch, FilmBand band, const global uint *res
                 const int64 value = nearest_within(LARGEST_SAMPLE, sum);
                 too_bright |= !equal(sum, value);
                 add(&pixel->sums[half_of_sample][c], value);
-                add(&pixel->squares[c], (uint64)value * (uint64)value, (uint64)mul_hi(value, value));
+                add(&pixel->squares[half_of_sample][c], (uint64)value * (uint64)value, (uint64)mul_hi(value, value));
             }
             if (too_bright) atomic_inc(clamped);
             pixel->counts[half_of_sample] += 1u;

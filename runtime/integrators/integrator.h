@@ -23,6 +23,11 @@ struct NotShown {
     std::string name, why;
 };
 
+/// What makes a picture wrong beyond noise, however many samples it has.
+struct Bias {
+    std::string name, why;
+};
+
 class Integrator {
 public:
     virtual ~Integrator() = default;
@@ -37,6 +42,8 @@ public:
     /// Bytes that its waves take at most, whatever the picture's size and samples.
     virtual std::size_t wave_bytes() const = 0;
     virtual std::vector<Skipped> skipped() const = 0;
+    /// What its settings have cut off so far.
+    virtual std::vector<Bias> biases() const = 0;
     /// What it cannot show, as it is set, that this scene may have.
     virtual std::vector<NotShown> not_shown() const = 0;
 };

@@ -72,7 +72,10 @@ public:
             if (pictures_)
                 pictures_->look_up(wave->count, scene_, scene_.texels(), *wave, wave->level.rays, hits_, hit_instances_, points_, pictures_->tints);
             if (batch.aovs && wave->generation == 0) batch.aovs->record(batch, scene_, *wave, hits_, hit_instances_, points_, tints());
-            if (wave->children) spawn(*wave);
+            if (wave->children)
+                spawn(*wave);
+            else if (secondary_)
+                secondary_->count_cut(wave->count, scene_, wave->count, points_, secondary_->cut);
             for (uint light = 0; light == 0 || light < light_count_; light += lights_per_block) shade(*wave, light, samples);
             if (observer) show(*wave, *observer);
             if (wave->children) levels_.add_children(*wave, secondary_->compact.counts().read().at(0));
@@ -96,6 +99,15 @@ public:
         if (!shadows_) skipped.push_back({"trace_shadow_rays", "there are no lights, nor emissive surfaces that light anything"});
         if (!shadow_filter_) skipped.push_back({"filter_shadow_rays", no_filter_});
         return skipped;
+    }
+    std::vector<Bias> biases() const override {
+        std::vector<Bias> biases;
+        if (!secondary_) return biases;
+        if (const std::uint64_t cut = secondary_->cut.read().at(0); cut > 0)
+            biases.push_back({"depth limit", fmt::format("integrator.max_depth {} ended {} rays whose surface sends more", params_.max_depth, cut)});
+        if (params_.threshold > 0)
+            biases.push_back({"adaptive depth", fmt::format("integrator.threshold {:g} ends rays that count less", params_.threshold)});
+        return biases;
     }
     std::vector<NotShown> not_shown() const override { return not_shown_; }
 

@@ -14,10 +14,16 @@ struct Secondary {
     Secondary(const IntegratorJob &job, uint branching)
         : spawn(job.device, whitted_cl, "spawn_whitted", job.on_device.lists()),
           compact(job.device, std::size_t{job.batch} * branching, 1),
-          alive(job.device, std::size_t{job.batch} * branching) {}
+          alive(job.device, std::size_t{job.batch} * branching),
+          count_cut(job.device, "kernels/stages/count_cut_paths.cl", "count_cut_paths", job.on_device.lists()),
+          cut(job.device, 1) {
+        cut.fill_zero();
+    }
     Kernel spawn;
     Compaction compact;
     Buffer<std::uint8_t> alive;
+    Kernel count_cut;
+    Buffer<std::uint64_t> cut;  ///< hits at the depth limit that would send further rays
     std::size_t bytes() const { return compact.bytes() + alive.bytes(); }
 };
 

@@ -106,6 +106,14 @@ std::string nothing_found(const std::string &name, const std::vector<Candidate> 
     return text;
 }
 
+/// The clocks of host and device agree at the moment at which the first launch was enqueued.
+void tell_launch(Device::Implementation &device, const PendingLaunch &launch, cl_ulong start, cl_ulong end) {
+    if (!device.clock_offset)
+        device.clock_offset = launch.enqueued - static_cast<double>(launch.event.getProfilingInfo<CL_PROFILING_COMMAND_QUEUED>()) * 1e-9;
+    const auto on_host = [&](cl_ulong nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9 + *device.clock_offset; };
+    device.on_launch({launch.kernel, launch.items, launch.enqueued, on_host(start), on_host(end)});
+}
+
 }  // namespace
 
 Device Device::select(const std::string &name, uint threads) {
@@ -145,6 +153,9 @@ const std::set<std::string> &Device::kernels() const { return implementation_->k
 double Device::build_seconds() const { return implementation_->build_seconds; }
 void Device::on_build(std::function<void(const std::string &)> callback) { implementation_->on_build = std::move(callback); }
 
+void Device::on_built(std::function<void(const Build &)> callback) { implementation_->on_built = std::move(callback); }
+void Device::on_launch(std::function<void(const Launch &)> callback) { implementation_->on_launch = std::move(callback); }
+
 void Device::finish() {
     attempt("finishing the device's work", [&] { implementation_->queue.finish(); });
     for (const PendingLaunch &launch : implementation_->pending) {
@@ -153,7 +164,9 @@ void Device::finish() {
         KernelProfile &profile = implementation_->profile[launch.kernel];
         profile.launches += 1;
         profile.items += launch.items;
+        profile.bytes += launch.bytes;
         profile.milliseconds += static_cast<double>(end - start) * 1e-6;
+        if (implementation_->on_launch) tell_launch(*implementation_, launch, start, end);
     }
     implementation_->pending.clear();
 }

@@ -44,6 +44,9 @@ public:
     double build_seconds() const;
     /// Called with a kernel file's name before it is built.
     void on_build(std::function<void(const std::string &)> callback);
+    /// Called after builds, and with launches that have been done, in their order, whenever work is waited for.
+    void on_built(std::function<void(const Build &)> callback);
+    void on_launch(std::function<void(const Launch &)> callback);
 
     struct Implementation;
     Implementation &implementation() { return *implementation_; }

@@ -2,7 +2,9 @@
 #pragma once
 #include <CL/opencl.hpp>
 
+#include <chrono>
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -10,10 +12,13 @@
 
 namespace brandung {
 
+inline double steady_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
 struct PendingLaunch {
     std::string kernel;
-    std::uint64_t items;
+    std::uint64_t items, bytes;
     cl::Event event;
+    double enqueued = steady_seconds();
 };
 
 struct Device::Implementation {
@@ -27,6 +32,9 @@ struct Device::Implementation {
     Profile profile;
     double build_seconds = 0;
     std::function<void(const std::string &)> on_build;
+    std::function<void(const Build &)> on_built;
+    std::function<void(const Launch &)> on_launch;
+    std::optional<double> clock_offset;  ///< from the device's clock to the host's [s]
 };
 
 /// Calls OpenCL; an exception of the bindings becomes an Error that says what was attempted.

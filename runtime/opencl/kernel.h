@@ -28,6 +28,7 @@ public:
     template <class... Arguments> void operator()(Grid grid, const Arguments &...arguments) {
         if (grid.items == 0 || grid.rows == 0) return;
         uint index = 0;
+        items_ = grid.items, item_bytes_ = 0;
         (bind(index, arguments), ...);
         launch(grid, index);
     }
@@ -38,6 +39,8 @@ private:
     template <class T> void bind(uint &index, const T &value) {
         if constexpr (std::is_base_of_v<RawBuffer, T>) {
             set_buffer(index++, value);
+            if constexpr (requires { value.size(); })
+                if (value.size() >= items_) item_bytes_ += value.bytes() / value.size();
         } else if constexpr (requires { value.for_each_argument([](const auto &) {}); }) {
             value.for_each_argument([&](const auto &argument) { bind(index, argument); });
         } else {
@@ -53,6 +56,7 @@ private:
     Device *device_;
     std::string name_;
     uint items_per_work_item_;
+    std::size_t items_ = 0, item_bytes_ = 0;  ///< of the next launch, and of the records that arrays have for each of them
     std::unique_ptr<Implementation> implementation_;
 };
 

@@ -45,6 +45,20 @@ void add_channels(const AovKind &kind, const std::vector<AovPixel> &pixels, floa
     }
 }
 
+/// Of what the film knows.
+void add_channels(const AovKind &kind, const std::vector<FilmPixel> &pixels, std::vector<PictureChannel> &channels) {
+    const std::size_t first = channels.size();
+    for (const std::string &name : kind.channels) channels.push_back({name, {}, {}});
+    for (const FilmPixel &pixel : pixels) {
+        if (kind.what == AovKind::count) {
+            channels[first].numbers.push_back(pixel.counts[0] + pixel.counts[1]);
+            continue;
+        }
+        const vec3 error = standard_error(pixel);
+        for (int c = 0; c < 3; ++c) channels[first + static_cast<std::size_t>(c)].floats.push_back(error[c]);
+    }
+}
+
 }  // namespace
 
 Aovs::Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, const DeviceScene &on_device, const CameraDescription &camera,
@@ -60,7 +74,7 @@ Aovs::Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, co
                               Buffer<vec3>(device, batch), Bands<AovPixel>(device, window, largest)});
         if (kind.what == AovKind::number)
             numbers_.push_back({kind, Kernel(device, file_of(kind), "record_number", on_device.lists()), Bands<uint>(device, window, largest)});
-        if (kind.what == AovKind::count) count_ = &kind;
+        if (kind.what == AovKind::count || kind.what == AovKind::error) of_film_.push_back(&kind);
     }
     if (!means_.empty()) add_.emplace(device, "kernels/stages/add_aov.cl", "add_aov", Sources());
 }
@@ -96,9 +110,9 @@ std::vector<PictureChannel> Aovs::develop(const Film &film) const {
         channels.push_back({number.kind.channels[0], {}, number.numbers.read()});
         for (uint &n : channels.back().numbers) --n;  // from 0 on; the largest for none
     }
-    if (!count_) return channels;
-    PictureChannel &counts = channels.emplace_back(PictureChannel{count_->channels[0], {}, {}});
-    for (const FilmPixel &pixel : film.read()) counts.numbers.push_back(pixel.counts[0] + pixel.counts[1]);
+    if (of_film_.empty()) return channels;
+    const std::vector<FilmPixel> pixels = film.read();
+    for (const AovKind *kind : of_film_) add_channels(*kind, pixels, channels);
     return channels;
 }
 

@@ -54,7 +54,7 @@ private:
     float extent_;               ///< of the world
     std::optional<Kernel> add_;  ///< for means
     std::list<Number> numbers_;
-    const AovKind *count_ = nullptr;
+    std::vector<const AovKind *> of_film_;  ///< those that follow from the film's sums
 };
 
 }  // namespace brandung

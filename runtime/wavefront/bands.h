@@ -36,6 +36,8 @@ public:
     }
     auto begin() { return bands_.begin(); }
     auto end() { return bands_.end(); }
+    auto begin() const { return bands_.begin(); }
+    auto end() const { return bands_.end(); }
     /// All pixels of the window.
     std::vector<Pixel> read() const {
         std::vector<Pixel> all;

@@ -47,4 +47,13 @@ std::vector<vec3> Film::develop() {
     return picture;
 }
 
+std::optional<Noise> Film::noise() const {
+    constexpr std::size_t at_once = 1 << 16;  // pixels that are copied from the device
+    NoiseSums sums;
+    for (const Band<FilmPixel> &band : bands_)
+        for (std::size_t first = 0; first < band.pixels.size(); first += at_once)
+            sums.add(band.pixels.read(first, std::min(at_once, band.pixels.size() - first)));
+    return sums.noise();
+}
+
 }  // namespace brandung

@@ -5,6 +5,7 @@
 #include "runtime/opencl/kernel.h"
 #include "runtime/wavefront/bands.h"
 #include "runtime/wavefront/batch.h"
+#include "runtime/wavefront/noise.h"
 
 namespace brandung {
 
@@ -22,6 +23,8 @@ public:
     std::vector<vec3> develop();
     /// Exact sums, row by row from the top.
     std::vector<FilmPixel> read() const { return bands_.read(); }
+    /// Of its samples so far; nothing where no pixel has two.
+    std::optional<Noise> noise() const;
     /// Samples that were cut at ±2^16.
     uint clamped() const { return clamped_.read().at(0); }
 

@@ -14,6 +14,7 @@ const std::vector<AovKind> &aov_kinds() {
         {"primitive", AovKind::number, {"primitive"}, 0},
         {"instance", AovKind::number, {"instance"}, 0},
         {"samples", AovKind::count, {"samples"}, 0},
+        {"error", AovKind::error, {"error.R", "error.G", "error.B"}, 0},
     };
     return kinds;
 }

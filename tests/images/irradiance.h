@@ -52,7 +52,7 @@ inline Estimate estimate(const Scene &scene) {
     Real sum = 0, squares = 0, samples = 0;
     for (const FilmPixel &pixel : rendering.film) {
         sum += static_cast<Real>(sum_of(pixel, 0)) * 0x1p-32L;
-        squares += static_cast<Real>(value_of(pixel.squares[0])) * 0x1p-64L;
+        squares += static_cast<Real>(squares_of(pixel, 0)) * 0x1p-64L;
         samples += pixel.counts[0] + pixel.counts[1];
     }
     const Real mean = sum / samples;

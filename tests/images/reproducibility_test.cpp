@@ -176,7 +176,8 @@ TEST(SameBits, FilmSumsFitTogether) {
             const __int128 whole = sum_of(pixel, static_cast<std::size_t>(c));
             ASSERT_EQ(rendering.picture[i][c], static_cast<float>(whole) * 0x1p-32f / 4) << "develop is the mean";
             // Cauchy and Schwarz: (sum of 4)² <= 4 times the sum of squares, and the halves are part of the whole.
-            const long double sum = static_cast<long double>(whole), squares = static_cast<long double>(value_of(pixel.squares[c]));
+            const long double sum = static_cast<long double>(whole),
+                              squares = static_cast<long double>(squares_of(pixel, static_cast<std::size_t>(c)));
             ASSERT_LE(sum * sum, 4 * squares * 1.0000001L) << "pixel " << i;
             ASSERT_GE(sum * sum * 1.0000001L, squares) << "radiance is not negative";
             for (const uint half : {0u, 1u}) ASSERT_GE(value_of(pixel.sums[half][c]), 0);

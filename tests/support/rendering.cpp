@@ -8,6 +8,8 @@ __int128 value_of(Integer128 x) { return static_cast<__int128>(static_cast<unsig
 
 __int128 sum_of(const FilmPixel &pixel, std::size_t c) { return value_of(pixel.sums[0][c]) + value_of(pixel.sums[1][c]); }
 
+__int128 squares_of(const FilmPixel &pixel, std::size_t c) { return value_of(pixel.squares[0][c]) + value_of(pixel.squares[1][c]); }
+
 Rendering render_scene(const Scene &scene, const RenderOptions &options, Kinds kinds) {
     Device &device = test_device();
     const CompiledScene compiled = compile(scene, kinds);

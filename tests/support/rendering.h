@@ -17,6 +17,8 @@ struct Rendering {
 __int128 value_of(Integer128 x);
 /// The sum of all samples of channel c.
 __int128 sum_of(const FilmPixel &pixel, std::size_t c);
+/// The sum of their squares.
+__int128 squares_of(const FilmPixel &pixel, std::size_t c);
 
 /// Renders with the scene's first camera on the test device.
 Rendering render_scene(const Scene &scene, const RenderOptions &options = {}, Kinds kinds = Kinds::in_use);

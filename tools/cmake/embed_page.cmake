@@ -1,16 +1,16 @@
-# embed_page(FILE VARIABLE): writes a C++ file that defines page_html() (tools/preview/page.h) with FILE's text, and sets
-# VARIABLE to its path.
+# embed_page(FOLDER FUNCTION VARIABLE): writes a C++ file that defines FUNCTION, which FOLDER's page.h declares, with the text of
+# FOLDER's page.html, and sets VARIABLE to its path.
 
-function(embed_page file variable)
-    text_literals(${file} literals)
-    set(output ${PROJECT_BINARY_DIR}/generated/page.cpp)
+function(embed_page folder function variable)
+    text_literals(${PROJECT_SOURCE_DIR}/${folder}/page.html literals)
+    set(output ${PROJECT_BINARY_DIR}/generated/${function}.cpp)
     file(WRITE ${output}.new
-"#include \"tools/preview/page.h\"
+"#include \"${folder}/page.h\"
 
 namespace brandung {
 using namespace std::string_view_literals;
 
-std::string_view page_html() { return ${literals}sv; }
+std::string_view ${function}() { return ${literals}sv; }
 
 }  // namespace brandung
 ")

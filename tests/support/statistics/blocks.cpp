@@ -8,7 +8,7 @@ namespace brandung::statistics {
 namespace {
 
 Estimate estimate_of_pixel(const FilmPixel &pixel, std::size_t c) {
-    const double sum = static_cast<double>(sum_of(pixel, c)) * 0x1p-32, squares = static_cast<double>(value_of(pixel.squares[c])) * 0x1p-64;
+    const double sum = static_cast<double>(sum_of(pixel, c)) * 0x1p-32, squares = static_cast<double>(squares_of(pixel, c)) * 0x1p-64;
     return estimate_of(sum, squares, pixel.counts[0] + pixel.counts[1]);
 }
 
