@@ -1,0 +1,93 @@
+/// brandung converge.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/runs.h"
+#include "tests/tools/scenes.h"
+
+namespace {
+
+using nlohmann::json;
+
+/// Runs `brandung converge SCENE --size 24x16 ARGUMENTS...` on native_scene().
+Finished converge(const TemporaryFolder &folder, const std::vector<std::string> &more) {
+    std::vector<std::string> arguments = {"converge", folder.write("scene.json", native_scene()), "--size", "24x16", "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(arguments);
+}
+
+}  // namespace
+
+TEST(CliConverge, FollowsTheErrorOfEverySeries) {
+    const TemporaryFolder folder;
+    const std::string page = folder.path("page.html"), csv = folder.path("runs.csv");
+    const Finished run = converge(folder, {"--reference", "auto", "--samples", "2,8,32", "--seeds", "3", "--vary", "film.sampler=sobol,independent",
+                                           "--html", page, "--csv", csv, "--json"});
+    expect_success(run);
+    const json result = json::parse(run.out);
+    ASSERT_EQ(result.at("series").size(), 2u);
+    EXPECT_GT(result.at("reference_noise"), 0);
+    for (const json &series : result.at("series")) {
+        ASSERT_EQ(series.at("rungs").size(), 3u);
+        EXPECT_EQ(series.at("runs").size(), 9u);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const json &rung = series.at("rungs")[i];
+            EXPECT_EQ(rung.at("samples"), std::vector<double>({2, 8, 32})[i]);
+            EXPECT_EQ(rung.at("runs"), 3);
+            EXPECT_LE(rung.at("errors").at("mse").at("low"), rung.at("errors").at("mse").at("mean"));
+        }
+        EXPECT_LT(series.at("rungs")[2].at("errors").at("mse").at("mean"), series.at("rungs")[0].at("errors").at("mse").at("mean"));
+    }
+    // Independent samples' errors fall with their number; 5 standard errors beside.
+    const json fit = result.at("series")[1].at("fits").at("mse").at("by_samples");
+    EXPECT_NEAR(fit.at("slope").get<double>(), -1, 5 * fit.at("standard_error").get<double>());
+
+    const std::string html = read_file(page), table = read_file(csv);
+    EXPECT_NE(html.find("\"independent\""), std::string::npos);
+    for (const char *outside : {"src=", "href=", "http://www.w3.org/2000/svg\" rel", "@import", "fetch("})
+        EXPECT_EQ(html.find(outside), std::string::npos);
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 18);
+}
+
+/// The pictures of another program are measured against the same reference: it is given here, and one of them is itself.
+TEST(CliConverge, TakesSeriesOfOtherRenderers) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.json", native_scene());
+    std::filesystem::create_directory(folder.path("other"));
+    for (const auto &[file, spp] : {std::pair{"reference.exr", "64"}, {"other/a.exr", "2"}, {"other/b.exr", "8"}})
+        render_quietly({scene, "--size", "24x16", "--spp", spp, "-o", folder.path(file)});
+    folder.write("other/times.json", R"([{"file": "a.exr", "seconds": 0.5, "samples": 2}, {"file": "b.exr", "seconds": 2, "samples": 8},
+        {"file": "../reference.exr", "seconds": 9, "samples": 64}])");
+    const Finished run = converge(folder, {"--reference", folder.path("reference.exr"), "--samples", "1", "--seeds", "1", "--series",
+                                           "other=" + folder.path("other"), "--json"});
+    expect_success(run);
+    const json result = json::parse(run.out), &other = result.at("series").at(1);
+    EXPECT_EQ(other.at("name"), "other");
+    ASSERT_EQ(other.at("runs").size(), 3u);
+    EXPECT_GT(other.at("runs")[0].at("mse"), other.at("runs")[1].at("mse"));
+    EXPECT_EQ(other.at("runs")[2].at("mse"), 0);
+    EXPECT_TRUE(result.at("reference_noise").is_null());
+}
+
+TEST(CliConverge, RefusesWhatItCannotDo) {
+    const TemporaryFolder folder;
+    const auto expect_usage = [&](const std::vector<std::string> &more, const std::string &what) {
+        const Finished run = converge(folder, more);
+        EXPECT_EQ(run.status, 2) << run.err;
+        EXPECT_NE(run.err.find(what), std::string::npos) << run.err;
+    };
+    expect_usage({}, "--reference");
+    expect_usage({"--reference", "auto", "--samples", "4,2"}, "--samples");
+    expect_usage({"--reference", "auto", "--samples", "4", "--times", "1"}, "--times");
+    expect_usage({"--reference", "auto", "--times", "1"}, "--reference-spp");
+    expect_usage({"--reference", "auto", "--vary", "nothing"}, "--vary");
+    expect_usage({"--reference", "auto", "--samples", "2", "--seeds", "1", "--series", "nothing"}, "--series");
+    const Finished unknown = converge(folder, {"--reference", "auto", "--vary", "film.sampler=none"});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_NE(unknown.err.find("film/sampler"), std::string::npos) << unknown.err;
+    const Finished missing = converge(folder, {"--reference", "auto", "--samples", "2", "--seeds", "1", "--series", "a=" + folder.path("none")});
+    EXPECT_EQ(missing.status, 1);
+    EXPECT_NE(missing.err.find("times.json"), std::string::npos) << missing.err;
+}

@@ -1,0 +1,30 @@
+/// What `brandung converge` gives: text, JSON, CSV, and a page with plots.
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include "tools/converge/summary.h"
+
+namespace brandung {
+
+/// What was compared with what.
+struct Subject {
+    std::string scene, device, reference;
+    uint width, height;
+    std::optional<double> reference_noise;  ///< relMSE of the reference itself, where it is known
+};
+
+struct Convergence {
+    Subject subject;
+    std::vector<Series> series;
+    std::vector<Summary> summaries;  ///< of each
+};
+
+/// Names are a promise.
+nlohmann::json convergence_json(const Convergence &convergence);
+/// One line per run: series, rung, seed, samples, seconds, and each measure.
+std::string convergence_csv(const Convergence &convergence);
+std::string convergence_text(const Convergence &convergence);
+/// Complete in itself: it loads nothing.
+std::string convergence_page(const Convergence &convergence);
+
+}  // namespace brandung

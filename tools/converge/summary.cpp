@@ -1,0 +1,98 @@
+#include "tools/converge/summary.h"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <numeric>
+
+namespace brandung {
+namespace {
+
+double mean_of(const std::vector<double> &values) { return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size()); }
+
+RungMean mean_with_confidence(const std::vector<double> &values) {
+    const double mean = mean_of(values), n = double(values.size());
+    if (values.size() < 2) return {mean, mean, mean};
+    double squares = 0;
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    const double half = quantile(boost::math::students_t(n - 1), 0.975) * std::sqrt(squares / (n * (n - 1)));
+    return {mean, std::max(mean - half, 0.0), mean + half};
+}
+
+/// Rungs by their number, from the first to the last that has runs.
+std::map<std::size_t, std::vector<const Run *>> by_rung(const Series &series) {
+    std::map<std::size_t, std::vector<const Run *>> rungs;
+    for (const Run &run : series.runs) rungs[run.rung].push_back(&run);
+    return rungs;
+}
+
+template <class Value> std::vector<double> values_of(const std::vector<const Run *> &runs, Value value) {
+    std::vector<double> values;
+    for (const Run *run : runs) values.push_back(value(*run));
+    return values;
+}
+
+/// Runs without error, or that took no time, have no logarithm.
+template <class X> std::optional<Slope> slope_of(const Series &series, const std::string &measure, X x_of) {
+    std::vector<double> x, y;
+    for (const Run &run : series.runs)
+        if (run.errors.at(measure) > 0 && x_of(run) > 0) x.push_back(std::log(x_of(run))), y.push_back(std::log(run.errors.at(measure)));
+    if (x.size() < 3) return std::nullopt;
+    const double x_mean = mean_of(x), y_mean = mean_of(y);
+    double xx = 0, xy = 0, residuals = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) xx += (x[i] - x_mean) * (x[i] - x_mean), xy += (x[i] - x_mean) * (y[i] - y_mean);
+    if (xx == 0) return std::nullopt;
+    const double slope = xy / xx;
+    for (std::size_t i = 0; i < x.size(); ++i) residuals += std::pow(y[i] - y_mean - slope * (x[i] - x_mean), 2);
+    return Slope{slope, std::sqrt(residuals / double(x.size() - 2) / xx)};
+}
+
+/// The first time at which the means of the rungs are down to `error`.
+std::optional<double> seconds_to(const std::vector<Rung> &rungs, const std::string &measure, double error) {
+    for (std::size_t i = 1; i < rungs.size(); ++i) {
+        const double before = rungs[i - 1].errors.at(measure).mean, after = rungs[i].errors.at(measure).mean;
+        if (!(before >= error && after <= error && after > 0)) continue;
+        const double part = before > after ? std::log(before / error) / std::log(before / after) : 0;
+        return rungs[i - 1].seconds * std::pow(rungs[i].seconds / rungs[i - 1].seconds, part);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Summary summarize(const Series &series, const std::map<std::string, std::vector<double>> &targets) {
+    Summary summary{};
+    for (const auto &[number, runs] : by_rung(series)) {
+        Rung &rung = summary.rungs.emplace_back();
+        rung.runs = runs.size();
+        rung.samples = mean_of(values_of(runs, [](const Run &run) { return run.samples; }));
+        rung.seconds = mean_of(values_of(runs, [](const Run &run) { return run.seconds; }));
+        for (const std::string &measure : followed_measures())
+            rung.errors[measure] = mean_with_confidence(values_of(runs, [&](const Run &run) { return run.errors.at(measure); }));
+    }
+    for (const std::string &measure : followed_measures()) {
+        summary.by_seconds[measure] = slope_of(series, measure, [](const Run &run) { return run.seconds; });
+        summary.by_samples[measure] = slope_of(series, measure, [](const Run &run) { return run.samples; });
+        for (const double error : targets.at(measure)) summary.targets[measure].push_back({error, seconds_to(summary.rungs, measure, error)});
+    }
+    const Rung &last = summary.rungs.back();
+    summary.efficiency = 1 / (last.errors.at("mse").mean * last.seconds);
+    return summary;
+}
+
+std::map<std::string, std::vector<double>> round_targets(const std::vector<Series> &all) {
+    std::map<std::string, std::vector<double>> targets;
+    for (const std::string &measure : followed_measures()) {
+        double low = HUGE_VAL, high = 0;
+        for (const Series &series : all)
+            for (const Run &run : series.runs)
+                if (const double error = run.errors.at(measure); error > 0) low = std::min(low, error), high = std::max(high, error);
+        targets[measure];
+        for (int decade = 6; decade >= -12; --decade)
+            for (const double digit : {3.0, 1.0})
+                if (const double error = digit * std::pow(10.0, decade); error > low && error < high) targets[measure].push_back(error);
+    }
+    return targets;
+}
+
+}  // namespace brandung

@@ -1,0 +1,44 @@
+/// What follows from a series: means with their confidence, how fast errors fall, and what that is worth.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "tools/converge/series.h"
+
+namespace brandung {
+
+/// Of the repetitions of one rung.
+struct RungMean {
+    double mean, low, high;  ///< bounds of an interval of 95 % by Student's t; equal to the mean of a single run
+};
+struct Rung {
+    std::size_t runs;
+    double samples, seconds;  ///< means
+    std::map<std::string, RungMean> errors;
+};
+
+/// error ~ x^slope, fitted by least squares to the logarithms of all runs.
+struct Slope {
+    double slope, standard_error;
+};
+
+/// An error, and the seconds that it takes to get there: between rungs by a straight line in logarithms; nothing outside of what was rendered.
+struct Target {
+    double error;
+    std::optional<double> seconds;
+};
+
+struct Summary {
+    std::vector<Rung> rungs;
+    std::map<std::string, std::optional<Slope>> by_seconds, by_samples;  ///< nothing of fewer than three runs, or of one rung
+    std::map<std::string, std::vector<Target>> targets;
+    double efficiency;  ///< 1 / (MSE × seconds) of the last rung: of independent samples the same whatever their number
+};
+
+/// `targets`: errors to reach, by measure.
+Summary summarize(const Series &series, const std::map<std::string, std::vector<double>> &targets);
+
+/// Powers of ten, and halfway between them, that lie among the errors of some series; by measure.
+std::map<std::string, std::vector<double>> round_targets(const std::vector<Series> &all);
+
+}  // namespace brandung
