@@ -51,6 +51,7 @@ int run(int argc, char **argv) {
     add_compare(app, status);
     add_selftest(app, status);
     add_converge(app, status);
+    add_bench(app, status);
     const auto is_asked_for = [&](const CLI::App *command) { return command->check_name(argv[1]); };
     const auto commands = app.get_subcommands([](const CLI::App *) { return true; });
     if (argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), is_asked_for)) {

@@ -11,6 +11,7 @@ void add_inspect(CLI::App &app, int &status);
 void add_devices(CLI::App &app, int &status);
 void add_compare(CLI::App &app, int &status);
 void add_selftest(CLI::App &app, int &status);
+void add_bench(CLI::App &app, int &status);
 void add_converge(CLI::App &app, int &status);
 
 }  // namespace brandung

@@ -1,0 +1,16 @@
+/// What a device can do at most, measured.
+#pragma once
+#include "runtime/opencl/device.h"
+
+namespace brandung {
+
+struct Limits {
+    double copy_bytes_per_second;  ///< read and written together, of arrays larger than caches
+    double flops_per_second;       ///< single precision, a multiply-add being two
+    double launch_seconds;         ///< that an empty launch takes
+};
+
+/// Medians; takes about a second.
+Limits measure_limits(Device &device);
+
+}  // namespace brandung

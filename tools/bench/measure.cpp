@@ -1,0 +1,54 @@
+#include "tools/bench/measure.h"
+
+#include <algorithm>
+
+namespace brandung {
+namespace {
+
+RayCounts difference(const RayCounts &after, const RayCounts &before) {
+    RayCounts counts;
+    for (std::size_t kind = 0; kind < RAY_KINDS; ++kind)
+        counts.rays[kind] = after.rays[kind] - before.rays[kind], counts.hits[kind] = after.hits[kind] - before.hits[kind];
+    return counts;
+}
+
+/// Adds what the profile has more than before.
+void add_run(const Profile &before, const Profile &after, std::map<std::string, KernelRuns> &kernels) {
+    for (const auto &[name, profile] : after) {
+        const auto known = before.find(name);
+        const KernelProfile earlier = known == before.end() ? KernelProfile() : known->second;
+        if (profile.launches == earlier.launches) continue;
+        KernelRuns &runs = kernels[name];
+        runs.launches = profile.launches - earlier.launches, runs.items = profile.items - earlier.items;
+        runs.bytes = profile.bytes - earlier.bytes;
+        runs.milliseconds.push_back(profile.milliseconds - earlier.milliseconds);
+    }
+}
+
+}  // namespace
+
+Measurements measure(Job &job, uint runs, const std::function<bool(uint run)> &tell) {
+    Measurements all{{}, {}, {}, measure_limits(job.device)};
+    for (uint run = 0; run <= runs && tell(run); ++run) {
+        job.film.clear();
+        job.device.finish();
+        const Profile before = job.device.profile();
+        const RayCounts counted = job.renderer.integrator().counts();
+        double seconds = 0;
+        const RenderEnd end = timed(seconds, [&] { return job.renderer.render(job.film); });
+        if (!end.failure.empty()) throw Error(end.failure);
+        if (run == 0) continue;  // kernels were compiled
+        add_run(before, job.device.profile(), all.kernels);
+        all.seconds.push_back(seconds);
+        all.rays = difference(job.renderer.integrator().counts(), counted);
+    }
+    return all;
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+}  // namespace brandung
