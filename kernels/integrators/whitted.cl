@@ -39,10 +39,10 @@ FUNCTION Choice choose_child(Split split, uint branch) {
     return choice;
 }
 
-/// Children of live item i, which go to slot base + i, and where BRANCHING is 2 the mirrored ray there and the refracted one to base + count + i,
-/// in the media `beyond`. Where FOLLOWS_ONE, one of both is chosen at random (Cook, Porter & Carpenter, SIGGRAPH 1984). They
-/// leave a primitive in instance instances[i], where scenes have some. A shading normal may lead a ray to the wrong side of the surface; then its
-/// mirror image at the surface leaves instead.
+/// Children of live item i: the mirrored ray in slot base + i, and where BRANCHING is 2 the refracted one in slot base + count + i, in the media
+/// `beyond`. Where FOLLOWS_ONE, one of both, chosen at random (Cook, Porter & Carpenter, SIGGRAPH 1984), in slot base + i. They leave a primitive in
+/// instance instances[i], where scenes have some. A shading normal may lead a ray to the wrong side of the surface; then its mirror image at the
+/// surface leaves instead.
 kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const global Path *restrict paths,
                           const global SurfacePoint *restrict points, const global SurfaceInterface *restrict interfaces,
                           const global vec3 *restrict directions, const global uint *restrict instances, const global uint *restrict interiors,
@@ -51,9 +51,9 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     const global uint *list = live + first;
-    global Ray *mirrored_rays = children + base, *refracted_rays = mirrored_rays + count;
-    global Path *mirrored_paths = child_paths + base, *refracted_paths = mirrored_paths + count;
-    global uchar *mirrored_alive = child_alive, *refracted_alive = child_alive + count;
+    global Ray *first_rays = children + base, *second_rays = first_rays + count;
+    global Path *first_paths = child_paths + base, *second_paths = first_paths + count;
+    global uchar *first_alive = child_alive, *second_alive = child_alive + count;
     FOR_EACH_ITEM(i, count) {
         const uint k = list[i];
         const Path path = load(paths + k);
@@ -79,36 +79,28 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
         const float bend = interface.eta * cosine - sqrt(maximum(cosine_squared_beyond, 0.0f));
         const vec3 bent = unit(folded(minus(scaled(normal, bend), scaled(wo, interface.eta)), negate(geometric)));
 
+        // The first child: the mirrored ray, or the one that is chosen.
+        const Choice choice = choose_child(split, path.branch);
+        const bool mirrors = !FOLLOWS_ONE | (choice.reflected & reflects) | !refracts;
+        const Ray mirrored_ray = ray_spawn(near, mirrored, RAY_REFLECTED, primitive), bent_ray = ray_spawn(far, bent, RAY_REFRACTED, primitive);
         Path child = path;
         child.depth = path.depth + 1u;
-        if (FOLLOWS_ONE) {
-            const Choice choice = choose_child(split, path.branch);
-            const bool mirrors = (choice.reflected & reflects) | !refracts;
-            const Ray mirrored_ray = ray_spawn(near, mirrored, RAY_REFLECTED, primitive), bent_ray = ray_spawn(far, bent, RAY_REFRACTED, primitive);
-            interior_choose(mirrors, interiors, k, beyond, i, child_interiors, base + i);
-            store_instance(child_sources, base + i, instance_at(instances, i));
-            mirrored_rays[i] = where(mirrors, mirrored_ray, bent_ray);
-            child.throughput = scaled(where(mirrors, reflected, refracted), (reflects & refracts) ? choice.weight : 1.0f);
-            child.branch = hash(path.branch * 2u + (mirrors ? 0u : 1u));
-            mirrored_paths[i] = child;
-            mirrored_alive[i] = goes_on & (mirrors ? reflects : refracts) & worth_tracing(child.throughput, params, material->flags);
-        } else {
-            mirrored_rays[i] = ray_spawn(near, mirrored, RAY_REFLECTED, primitive);
-            store_instance(child_sources, base + i, instance_at(instances, i));
-            child.throughput = reflected;
-            child.branch = hash(path.branch * 2u);
-            mirrored_paths[i] = child;
-            mirrored_alive[i] = goes_on & reflects & worth_tracing(reflected, params, material->flags);
-        }
+        child.throughput = scaled(where(mirrors, reflected, refracted), (FOLLOWS_ONE & reflects & refracts) ? choice.weight : 1.0f);
+        child.branch = hash(path.branch * 2u + (mirrors ? 0u : 1u));
+        interior_choose(mirrors, interiors, k, beyond, i, child_interiors, base + i);
+        store_instance(child_sources, base + i, instance_at(instances, i));
+        first_rays[i] = where(mirrors, mirrored_ray, bent_ray);
+        first_paths[i] = child;
+        first_alive[i] = goes_on & (mirrors ? reflects : refracts) & worth_tracing(child.throughput, params, material->flags);
+
         if (BRANCHING == 2u) {
-            interior_copy(interiors, k, child_interiors, base + i);
             interior_copy(beyond, i, child_interiors, base + count + i);
-            refracted_rays[i] = ray_spawn(far, bent, RAY_REFRACTED, primitive);
+            second_rays[i] = bent_ray;
             store_instance(child_sources, base + count + i, instance_at(instances, i));
             child.throughput = refracted;
             child.branch = hash(path.branch * 2u + 1u);
-            refracted_paths[i] = child;
-            refracted_alive[i] = goes_on & refracts & worth_tracing(refracted, params, material->flags);
+            second_paths[i] = child;
+            second_alive[i] = goes_on & refracts & worth_tracing(refracted, params, material->flags);
         }
     }
 }
