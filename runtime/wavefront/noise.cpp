@@ -13,7 +13,7 @@ constexpr double unit = 0x1p-32;             ///< of sums; their squares' is its
 constexpr double darkest = 0.01;             ///< relMSE's weights are 1 / (limit² + this)
 constexpr double two_sided_95 = 1.95996398;  ///< standard deviations
 
-long double value_of(Integer128 x) { return std::ldexp(static_cast<long double>(static_cast<std::int64_t>(x.high)), 64) + x.low; }
+long double value_of(Integer128 x) { return static_cast<long double>(static_cast<std::int64_t>(x.high)) * 0x1p64L + x.low; }
 
 /// Mean of the samples of one half of a pixel, in one channel, and the variance of that mean: 0 where one sample leaves it unknown.
 struct Half {
