@@ -28,7 +28,7 @@ json read_old(const std::string &file) {
     std::ifstream in(file);
     if (!in) throw SceneError(file + ": no such file");
     json old = json::parse(in, nullptr, false);
-    if (old.is_discarded()) throw SceneError(file + ": is not JSON");
+    if (!old.is_object() || !old.contains("kernels") || !old["kernels"].is_array()) throw SceneError(file + ": is not what bench --json gives");
     return old;
 }
 
@@ -48,9 +48,9 @@ int run(const Options &options) {
         fmt::print(stderr, "interrupted\n");
         return interrupted_status;
     }
-    const json bench = bench_json(job, options.batch, measurements);
-    print_result(options.as_json ? bench.dump(2) + "\n" : bench_text(bench));
-    if (!old.is_null()) print_result((options.as_json ? "" : "\n") + comparison_text(bench, old));
+    json bench = bench_json(job, options.batch, measurements);
+    if (!old.is_null()) bench["comparison"] = comparison_json(bench, old);
+    print_result(options.as_json ? bench.dump(2) + "\n" : bench_text(bench) + (old.is_null() ? "" : "\n" + comparison_text(bench)));
     return 0;
 }
 

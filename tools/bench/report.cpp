@@ -40,10 +40,20 @@ std::string line(const json &kernel, double whole) {
                        100 * kernel["wave_occupancy"].get<double>());
 }
 
-/// Where a program's own words would be of no help to people.
-const json &kernels_of(const json &old) {
-    if (!old.is_object() || !old.contains("kernels") || !old["kernels"].is_array()) throw SceneError("--compare: is not what bench --json gives");
-    return old["kernels"];
+/// A number of an earlier result.
+double number(const json &of, const char *name) {
+    if (!of.is_object() || !of.contains(name) || !of[name].is_number())
+        throw SceneError(fmt::format("--compare: \"{}\" is missing: is it of bench --json?", name));
+    return of[name].get<double>();
+}
+
+/// How much slower the slowest run was than the fastest.
+double spread(const json &kernel) { return number(kernel, "milliseconds_high") / number(kernel, "milliseconds_low") - 1; }
+
+json change(const json &now, const json &before) {
+    const double ns_now = number(now, "ns_per_item_and_core"), ns_before = number(before, "ns_per_item_and_core");
+    return {{"name", now["name"]},      {"before", ns_before}, {"now", ns_now}, {"ratio", ns_now / ns_before}, {"spread_before", spread(before)},
+            {"spread_now", spread(now)}};
 }
 
 }  // namespace
@@ -96,18 +106,23 @@ std::string bench_text(const json &bench) {
     return text;
 }
 
-std::string comparison_text(const json &bench, const json &old) {
-    std::string text = "kernel                      ns·core before         now   ratio   spread of both\n";
+json comparison_json(const json &bench, const json &old) {
+    json all = {{"seconds_before", number(old, "seconds")}, {"ratio", number(bench, "seconds") / number(old, "seconds")}, {"kernels", json::array()}};
     for (const json &kernel : bench["kernels"])
-        for (const json &earlier : kernels_of(old)) {
-            if (earlier.value("name", "") != kernel["name"]) continue;
-            const double now = kernel["ns_per_item_and_core"], before = earlier.value("ns_per_item_and_core", 0.0);
-            const auto spread = [](const json &k) { return 100 * (k["milliseconds_high"].get<double>() / k["milliseconds_low"].get<double>() - 1); };
-            text += fmt::format("{:<28}{:>14.2f}{:>12.2f}{:>8.3f}{:>9.0f} %{:>5.0f} %\n", kernel["name"].get<std::string>(), before, now,
-                                now / before, spread(earlier), spread(kernel));
-        }
-    return text + fmt::format("{:<28}{:>12.3f} s{:>10.3f} s{:>8.3f}\n", "render", old.value("seconds", 0.0), bench["seconds"].get<double>(),
-                              bench["seconds"].get<double>() / old.value("seconds", 0.0));
+        for (const json &earlier : old["kernels"])
+            if (earlier.is_object() && earlier.value("name", json()) == kernel["name"]) all["kernels"].push_back(change(kernel, earlier));
+    return all;
+}
+
+std::string comparison_text(const json &bench) {
+    const json &comparison = bench["comparison"];
+    std::string text = "kernel                      ns·core before         now   ratio   spread of both\n";
+    for (const json &kernel : comparison["kernels"])
+        text +=
+            fmt::format("{:<28}{:>14.2f}{:>12.2f}{:>8.3f}{:>9.0f} %{:>5.0f} %\n", kernel["name"].get<std::string>(), number(kernel, "before"),
+                        number(kernel, "now"), number(kernel, "ratio"), 100 * number(kernel, "spread_before"), 100 * number(kernel, "spread_now"));
+    return text + fmt::format("{:<28}{:>12.3f} s{:>10.3f} s{:>8.3f}\n", "render", number(comparison, "seconds_before"), number(bench, "seconds"),
+                              number(comparison, "ratio"));
 }
 
 }  // namespace brandung

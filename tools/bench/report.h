@@ -9,7 +9,9 @@ namespace brandung {
 /// Names are a promise.
 nlohmann::json bench_json(const Job &job, uint batch, const Measurements &measurements);
 std::string bench_text(const nlohmann::json &bench);
-/// Per kernel: time per item against that of an earlier bench_json(). Throws SceneError if `old` is none.
-std::string comparison_text(const nlohmann::json &bench, const nlohmann::json &old);
+/// Per kernel: time per item against that of an earlier bench_json(). Throws SceneError if `old` lacks a number.
+nlohmann::json comparison_json(const nlohmann::json &bench, const nlohmann::json &old);
+/// The same of a bench that has its "comparison".
+std::string comparison_text(const nlohmann::json &bench);
 
 }  // namespace brandung
