@@ -108,21 +108,22 @@ void run(Options &options) {
         throw CLI::ValidationError(options.rungs.samples.empty() ? "--times" : "--samples", "must rise");
     if (options.rungs.count() == 0) options.rungs.samples = {1, 2, 4, 8, 16, 32, 64};
     const std::vector<Variant> ways = variants(options.varied);
-    check_files(options, read_scene(options));
     handle_interruptions();
     Teller teller(options.quiet);
     std::vector<std::unique_ptr<Climber>> climbers;
     for (const Variant &way : ways) climbers.push_back(std::make_unique<Climber>(options, way));
+    check_files(options, climbers.front()->scene());
+    const Window window = climbers.front()->scene().film.window();
 
     const Reference reference = make_reference(options, *climbers.front(), teller);
     for (const auto &climber : climbers) {  // kernels are compiled outside of what is timed
         climber->render(2, 0, {}, teller.observer("kernels of " + climber->name()));
         teller.check();
     }
-    Convergence convergence{{options.scene, climbers.front()->job().device.info().name, reference.name, climbers.front()->film().window().width(),
-                             climbers.front()->film().window().height(), reference.noise},
-                            climb(options, climbers, reference.picture, teller),
-                            {}};
+    Convergence convergence{
+        .subject = {options.scene, climbers.front()->job().device.info().name, reference.name, window.width(), window.height(), reference.noise},
+        .series = climb(options, climbers, reference.picture, teller),
+        .summaries = {}};
     for (const std::string &foreign : options.foreign) {
         const auto [name, folder] = name_and_folder(foreign);
         convergence.series.push_back(read_foreign_series(name, folder, reference.picture));

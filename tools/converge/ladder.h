@@ -31,7 +31,7 @@ public:
 
     const std::string &name() const { return name_; }
     const Job &job() const { return *job_; }
-    const FilmSettings &film() const { return scene_.film; }
+    const Scene &scene() const { return scene_; }
     /// Renders so many samples, or for so long; a single sample lies anywhere in its pixel too.
     struct Result {
         Picture picture;
