@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/selftest/extended.h"
 #include "tests/kernels/primitives/crossing_probe.h"
-#include "tests/kernels/primitives/long_vector.h"
 #include "tests/support/scenes.h"
 #include "tests/support/traced_scene.h"
 
@@ -82,10 +82,10 @@ TEST(Sphere, OnWhichSideARayBeginsIsDecidedRight) {
     std::size_t inside = 0, outside = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const Vector f = Vector(rays[i].origin) - Vector(spheres[i].center), d = rays[i].direction;
-        const real r = spheres[i].radius, a = dot(d, d), b = dot(f, d), c = dot(f, f) - r * r;
+        const long double r = spheres[i].radius, a = dot(d, d), b = dot(f, d), c = dot(f, f) - r * r;
         if (std::abs(b) < 0x1p-6L * r || b * b - a * c < 0x1p-12L * r * r) continue;  // grazing
-        const real q = b < 0 ? -b + std::sqrt(b * b - a * c) : -b - std::sqrt(b * b - a * c);
-        const real t = c > 0 ? c / q : std::max(c / q, q / a);
+        const long double q = b < 0 ? -b + std::sqrt(b * b - a * c) : -b - std::sqrt(b * b - a * c);
+        const long double t = c > 0 ? c / q : std::max(c / q, q / a);
         ASSERT_EQ(results[i].hit, t > 0) << i << ": offset " << c / (r * r) << ", b " << b / r << ", t " << results[i].t;
         // The discriminant is off by 24 u r^2, so its root by 12 u r^2 / b and q by 6 u (r / b)^2 of itself; c's absolute error is 2^-42 r^2.
         if (results[i].hit) {

@@ -5,8 +5,8 @@
 
 #include <array>
 
+#include "runtime/selftest/extended.h"
 #include "tests/kernels/primitives/crossing_probe.h"
-#include "tests/kernels/primitives/long_vector.h"
 #include "tests/support/scenes.h"
 #include "tests/support/traced_scene.h"
 
@@ -61,7 +61,7 @@ TEST(Triangle, OnWhichSideARayBeginsIsDecidedRight) {
     Random random(9);
     std::vector<Triangle> triangles;
     std::vector<Ray> rays;
-    std::vector<real> expected;
+    std::vector<long double> expected;
     while (rays.size() < count) {
         const float size = std::exp2(random.uniform(-15, 15));
         const Triangle triangle = {random.direction() * size, random.direction() * size, random.direction() * size};
@@ -71,7 +71,7 @@ TEST(Triangle, OnWhichSideARayBeginsIsDecidedRight) {
         const vec3 above = triangle[0] * (1 - s - t) + triangle[1] * s + triangle[2] * t;
         const vec3 origin = above + random.direction() * (size * std::exp2(random.uniform(-30, -6)));
         const Ray ray = make_ray(origin, random.direction());
-        const real cosine = dot(ray.direction, unit(n)), height = dot(Vector(origin) - Vector(triangle[0]), unit(n));
+        const long double cosine = dot(ray.direction, unit(n)), height = dot(Vector(origin) - Vector(triangle[0]), unit(n));
         if (std::abs(cosine) < 0.1L || std::abs(height) < 0x1p-34L * size) continue;  // the exact offset is right to 2^-42 of the lengths
         triangles.push_back(triangle), rays.push_back(ray), expected.push_back(-height / cosine);
     }
@@ -81,11 +81,11 @@ TEST(Triangle, OnWhichSideARayBeginsIsDecidedRight) {
         ASSERT_EQ(results[i].hit, expected[i] > 0) << i << ": t " << expected[i];
         if (!results[i].hit) continue;
         ++hits;
-        const real size = length(Vector(triangles[i][0]));
+        const long double size = length(Vector(triangles[i][0]));
         // Below 2^-19 of the size twice the digits take over.
-        const real cosine = std::abs(dot(rays[i].direction, unit(normal_of(triangles[i]))));
-        const real error = expected[i] < 0x1p-20L * size ? 16 * unit_roundoff / cosine * expected[i] + 0x1p-38L * size
-                                                         : unit_roundoff * 2 * size * (25 / cosine + 8 * std::sqrt(3.0L));
+        const long double cosine = absolute(dot(rays[i].direction, unit(normal_of(triangles[i]))));
+        const long double error = expected[i] < 0x1p-20L * size ? 16 * unit_roundoff / cosine * expected[i] + 0x1p-38L * size
+                                                                : unit_roundoff * 2 * size * (25 / cosine + 8 * std::sqrt(3.0L));
         ASSERT_NEAR(results[i].t, expected[i], error) << i;
         very_near += expected[i] < 0x1p-20L * size;
     }
