@@ -50,7 +50,7 @@ FUNCTION TwoFloats logarithm_of_base_two(float x) {
 FUNCTION float two_to_the(float high, float low) {
     const float round = 0x1.8p23f, rounded = high + round;
     const int n = as_int(rounded) - as_int(round), half_n = n >> 1;
-    const float x = high - (rounded - round) + low;
+    const float x = high - (float)n + low;
     float t = fma(x, 1.535375486e-04f, 1.339917304e-03f);
     t = fma(x, t, 9.618555196e-03f);
     t = fma(x, t, 5.550343916e-02f);

@@ -1,4 +1,5 @@
-// Functions of kernels/core/ on arrays, in the loops of 16 lanes in which stages call them.
+// Functions of kernels/core/ on arrays, in the loops of 16 lanes in which stages call them, in the precision in force.
+#include "generated/precision.cl"
 #include "kernels/core/items.cl"
 #include "kernels/core/math.cl"
 #include "kernels/core/random.cl"

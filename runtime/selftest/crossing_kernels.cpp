@@ -5,6 +5,8 @@
 #include <cstring>
 #include <span>
 
+#include "runtime/selftest/precision.h"
+
 namespace brandung {
 namespace {
 
@@ -54,7 +56,7 @@ uint count_of(const CrossingCases &cases) { return static_cast<uint>(cases.rays.
 Sources one_kind(const PrimitiveKind &kind, bool in_double) {
     const std::string path = fmt::format("#include \"kernels/primitives/{}", kind.name);
     return {{"generated/constants.h", "#pragma once\n#define INTERIOR_SIZE 0u\n#define INSTANCES 0\n"},
-            {"generated/precision.cl", in_double ? "#include \"kernels/selftest/in_double.cl\"\n" : "// float\n"},
+            precision(in_double),
             {"generated/kind.cl",
              fmt::format("#pragma once\n{}.h\"\n#define NAME(function) {}_##function\ntypedef {}Block Block;\n", path, kind.name, kind.record)},
             {"generated/primitive_hits.cl", path + "_hit.cl\"\n"},

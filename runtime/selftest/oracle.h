@@ -44,7 +44,7 @@ public:
     /// From the surface, extended without its ends, to p; positive on the side to which normals point.
     virtual extended distance(Lane lane, Vector p) const = 0;
     /// Where the ray has t, in the kernel's opinion. An error of 1 or more says that nothing is known.
-    virtual Normal normal_on(Lane lane, const Ray &ray, float t) const = 0;
+    virtual Normal normal_on(Lane lane, const Ray &ray, extended t) const = 0;
     /// At a point that a kernel has put onto the surface.
     virtual Normal normal_at(Lane lane, Vector p) const = 0;
     /// How far it is from such a point to where the inside ends, or another part of the surface is, at least.

@@ -105,7 +105,7 @@ public:
     }
 
     /// The point that is put back, o + t d - c, is off by 8 u (|f| + t |d|), and its direction from the axis by that over its distance from the axis.
-    Normal normal_on(Lane lane, const Ray &ray, float t) const override {
+    Normal normal_on(Lane lane, const Ray &ray, extended t) const override {
         const Frustum record = frustum_of(lane);
         const Vector f = Vector(ray.origin) - record.center, d = ray.direction, there = f + d * t, axis = record.unit_axis();
         const extended error = 16 * unit_roundoff * (length(f) + t * length(d)) / record.across(there) + 8 * unit_roundoff;

@@ -73,7 +73,7 @@ public:
 
     /// o + t d - c has 3 roundings of magnitudes up to |f| + t |d|, so the normal is off by 8 u (|f| + t |d|) / r, and by 4 u from its own length;
     /// t's own error moves the point along the ray, which is no error of the normal there.
-    Normal normal_on(Lane lane, const Ray &ray, float t) const override {
+    Normal normal_on(Lane lane, const Ray &ray, extended t) const override {
         const Sphere sphere = sphere_of(lane);
         const Vector f = Vector(ray.origin) - sphere.center, d = ray.direction;
         return {unit(f + d * t), 8 * unit_roundoff * (length(f) + t * length(d)) / sphere.radius + 4 * unit_roundoff};

@@ -82,7 +82,7 @@ public:
         return dot(p - Vector(v[0]), unit(normal_of(v)));
     }
 
-    Normal normal_on(Lane lane, const Ray &, float) const override { return normal_at(lane, Vector(0, 0, 0)); }
+    Normal normal_on(Lane lane, const Ray &, extended) const override { return normal_at(lane, Vector(0, 0, 0)); }
 
     /// The edges are rounded to u of their length, or exact; then n = e x f is off by 4 u |e| |f| in each component, however small |n| is,
     /// and its direction by 4 sqrt(3) u |e| |f| / |n|; unit() adds 4 u.

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t inputs_per_round = 1 << 18;
 
 vec3 vector_of(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
-Vector wide(const float (&v)[3]) { return Vector(vector_of(v)); }
+template <class Number> Vector wide(const Number (&v)[3]) { return {v[0], v[1], v[2]}; }
 
 class Crossings final : public Subject {
 public:
@@ -30,7 +30,7 @@ public:
             if (differences[i] != 0) findings.blame([&] { return describe(difference(differences[i])); });
             if (!results[i].hit || !verdict.fault.empty()) return;
             look_at_surface(cases, i, results[i], verdict, findings, describe);
-            if (doubles && (*doubles)[i].hit) compare(results[i], (*doubles)[i], verdict, findings);
+            if (doubles && (*doubles)[i].hit) compare(cases, i, results[i], (*doubles)[i], verdict, findings);
         });
     }
 
@@ -89,10 +89,21 @@ private:
         });
     }
 
-    /// Of the same root.
-    static void compare(const CrossingResult<float> &result, const CrossingResult<double> &exact, const Verdict &verdict, Findings &findings) {
-        if (absolute(exact.t - verdict.nearest) > verdict.allowed) return;
+    /// Of the same root, which doubles find to a thousandth of the floats' bound. Positions: how far they are from the surface; normals: from that at
+    /// their own t.
+    void compare(const CrossingCases &cases, std::size_t i, const CrossingResult<float> &result, const CrossingResult<double> &exact,
+                 const Verdict &verdict, Findings &findings) const {
+        if (absolute(exact.t - verdict.nearest) > 0x1p-10 * verdict.allowed) return;
         findings.rounding_of(Quantity::t).add(std::abs(result.t - exact.t), 2 * double(verdict.allowed), ulp_of(exact.t), exact.t);
+        const Lane lane = cases.lane(i);
+        const Vector p = wide(result.p), exact_p = wide(exact.p), turned = wide(result.geometric) - wide(exact.geometric);
+        const double off = double(absolute(oracle_.distance(lane, p) - oracle_.distance(lane, exact_p))), size = double(largest(exact_p));
+        const double allowed = double(dot(Vector(glm::abs(vector_of(result.geometric))), wide(result.error)));
+        findings.rounding_of(Quantity::position).add(off, 2 * allowed, ulp_of(size), size);
+        const Normal normal = oracle_.normal_on(lane, cases.rays[i], result.t), at_exact = oracle_.normal_on(lane, cases.rays[i], exact.t);
+        if (!(normal.error < 0.5)) return;
+        const double apart = double(length(turned - (normal.n - at_exact.n)));
+        findings.rounding_of(Quantity::normal).add(apart, 2 * double(normal.error), 2 * unit_roundoff, 1);
     }
 
     Device &device_;

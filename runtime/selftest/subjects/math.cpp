@@ -7,10 +7,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "runtime/opencl/kernel.h"
 #include "runtime/selftest/examine.h"
 #include "runtime/selftest/input_source.h"
+#include "runtime/selftest/precision.h"
 #include "runtime/selftest/subjects/list.h"
 
 namespace brandung {
@@ -20,6 +22,7 @@ constexpr std::size_t inputs_per_round = 1 << 20;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 using Arguments = std::array<float, 4>;
+using Columns = std::array<std::vector<float>, 4>;
 
 /// Sum of these; all 0: to the last bit.
 struct Bound {
@@ -27,6 +30,7 @@ struct Bound {
     double absolute = 0;
     double roundings = 0;                                                        ///< of the terms that it is made of, half an ulp each,
     double (*terms)(const Arguments &) = [](const Arguments &) { return 0.0; };  ///< which sum to this
+    bool is_exact() const { return ulps == 0 && absolute == 0 && roundings == 0; }
 };
 
 struct Function {
@@ -183,11 +187,28 @@ std::string text_of(const Bound &bound) {
 
 class ElementaryFunction final : public Subject {
 public:
-    ElementaryFunction(Device &device, const Function &function)
-        : device_(device), function_(function), kernel_(device, "kernels/selftest/math.cl", std::string("test_") + function.name, {}) {}
+    ElementaryFunction(Device &device, const Function &function) : device_(device), function_(function), kernel_(build(false)) {
+        if (device.info().doubles && !function.bound.is_exact()) kernel_in_double_.emplace(build(true));
+    }
 
     Findings examine(uint round) override {
-        std::array<std::vector<float>, 4> columns;
+        const Columns columns = make_columns(round);
+        const std::vector<float> values = run<float>(kernel_, columns);
+        const std::vector<double> doubles = kernel_in_double_ ? run<double>(*kernel_in_double_, columns) : std::vector<double>();
+        device_.finish();
+        return examine_each(inputs_per_round, [&](std::size_t i, Findings &findings) {
+            const Arguments arguments = {columns[0][i], columns[1][i], columns[2][i], columns[3][i]};
+            look_at(arguments, values[i], kernel_in_double_ ? &doubles[i] : nullptr, findings);
+        });
+    }
+
+private:
+    Kernel build(bool in_double) const {
+        return {device_, "kernels/selftest/math.cl", std::string("test_") + function_.name, {precision(in_double)}};
+    }
+
+    Columns make_columns(uint round) const {
+        Columns columns;
         for (auto &column : columns) column.resize(inputs_per_round);
         for_parts(inputs_per_round, [&](std::size_t first, std::size_t last) {
             InputSource source(seed_of(2, round, first));
@@ -196,27 +217,32 @@ public:
                 for (std::size_t k = 0; k < 4; ++k) columns[k][i] = arguments[k];
             }
         });
-        Buffer<float> results(device_, inputs_per_round);
-        const auto argument = [&](std::size_t k) { return Buffer<float>(device_, columns[k]); };
-        kernel_(inputs_per_round, argument(0), argument(1), argument(2), argument(3), static_cast<uint>(inputs_per_round), results);
-        const std::vector<float> values = results.read();
-        device_.finish();
-        return examine_each(inputs_per_round, [&](std::size_t i, Findings &findings) {
-            look_at({columns[0][i], columns[1][i], columns[2][i], columns[3][i]}, values[i], findings);
-        });
+        return columns;
     }
 
-private:
+    template <class Number> std::vector<Number> run(Kernel &kernel, const Columns &columns) {
+        Buffer<Number> results(device_, inputs_per_round);
+        const auto argument = [&](std::size_t k) { return Buffer<Number>(device_, std::vector<Number>(columns[k].begin(), columns[k].end())); };
+        kernel(inputs_per_round, argument(0), argument(1), argument(2), argument(3), static_cast<uint>(inputs_per_round), results);
+        return results.read();
+    }
+
     /// Infinity counts as 2^128 unless the exact result rounds to it, and NaN is right where both are.
-    void look_at(const Arguments &arguments, float value, Findings &findings) const {
+    static double distance(float value, long double exact) {
+        if ((std::isinf(value) && static_cast<float>(exact) == value) || (std::isnan(value) && std::isnan(exact))) return 0;
+        const long double finite = std::isinf(value) ? std::copysign(0x1p128L, static_cast<long double>(value)) : value;
+        const double error = static_cast<double>(std::abs(finite - exact));
+        return std::isnan(error) ? infinity : error;
+    }
+
+    void look_at(const Arguments &arguments, float value, const double *in_double, Findings &findings) const {
         const long double exact = function_.exact(arguments);
         ++findings.hits;
-        const bool same = (std::isinf(value) && static_cast<float>(exact) == value) || (std::isnan(value) && std::isnan(exact));
-        const long double finite = std::isinf(value) ? std::copysign(0x1p128L, static_cast<long double>(value)) : value;
-        const double error = same ? 0 : static_cast<double>(std::abs(finite - exact)), ulp = ulp_of_result(exact);
+        const double ulp = ulp_of_result(exact), magnitude = static_cast<double>(std::abs(exact));
         const Bound &bound = function_.bound;
         const double allowed = bound.ulps * ulp + bound.absolute + bound.roundings * 0x1p-24 * bound.terms(arguments);
-        findings.measure(Quantity::value, std::isnan(error) ? infinity : error, allowed, ulp, static_cast<double>(std::abs(exact)), [&] {
+        if (in_double) findings.rounding_of(Quantity::value).add(distance(value, *in_double), allowed, ulp, magnitude);
+        findings.measure(Quantity::value, distance(value, exact), allowed, ulp, magnitude, [&] {
             return fmt::format("of {:a}, {:a}, {:a}, {:a}: {:a}, but it is {:.9g}", arguments[0], arguments[1], arguments[2], arguments[3], value,
                                static_cast<double>(exact));
         });
@@ -229,6 +255,7 @@ private:
     Device &device_;
     const Function &function_;
     Kernel kernel_;
+    std::optional<Kernel> kernel_in_double_;
 };
 
 }  // namespace
