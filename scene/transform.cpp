@@ -1,6 +1,7 @@
 #include "scene/transform.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -9,14 +10,41 @@
 namespace brandung {
 namespace {
 
-/// Of matrices whose determinant is less than this part of the product of its rows' lengths, and of its columns', doubles cannot tell the inverse.
+/// Of matrices whose determinant is less than this part of the product of its rows' lengths, and of its columns', floats tell hardly anything.
 constexpr double singular = 1e-12;
 
 double product_of_lengths(const glm::dmat3 &m) { return glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]); }
 
+/// A sum of twice a double's digits.
+struct LongSum {
+    double high = 0, low = 0;
+    /// Knuth, The Art of Computer Programming 2, 4.2.2.
+    void add(double x) {
+        const double sum = high + x, part = sum - high;
+        low += (high - (sum - part)) + (x - part);
+        high = sum;
+    }
+    void add_product(double a, double b) {
+        const double product = a * b;
+        add(product);
+        low += std::fma(a, b, -product);
+    }
+};
+
+/// Of a matrix of floats, whose products are exact in double: right to the last digits however much its terms cancel.
+double determinant(const glm::dmat3 &m) {
+    LongSum sum;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        sum.add_product(m[0][i], m[1][j] * m[2][k]);
+        sum.add_product(-m[0][i], m[1][k] * m[2][j]);
+    }
+    return sum.high + sum.low;
+}
+
 bool is_singular(const glm::dmat3 &m) {
     const double least = std::min(product_of_lengths(m), product_of_lengths(glm::transpose(m)));
-    return !(std::abs(glm::determinant(m)) > singular * least);
+    return !(std::abs(determinant(m)) > singular * least);
 }
 
 Transform rounded(const AffineMap &map) { return {vec3(map.linear[0]), vec3(map.linear[1]), vec3(map.linear[2]), vec3(map.offset)}; }
@@ -25,8 +53,10 @@ AffineMap exact(const Transform &transform) {
     return {{glm::dvec3(transform.x), glm::dvec3(transform.y), glm::dvec3(transform.z)}, glm::dvec3(transform.origin)};
 }
 
+/// Of a map of floats: the linear part by cofactors, which are differences of exact products.
 AffineMap inverse(const AffineMap &map) {
-    const glm::dmat3 linear = glm::inverse(map.linear);
+    const auto &[x, y, z] = std::array{map.linear[0], map.linear[1], map.linear[2]};
+    const glm::dmat3 linear = glm::transpose(glm::dmat3(glm::cross(y, z), glm::cross(z, x), glm::cross(x, y))) / determinant(map.linear);
     return {linear, -(linear * map.offset)};
 }
 

@@ -40,6 +40,7 @@ inline extended dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y + a.z * b
 inline Vector cross(Vector a, Vector b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 inline extended length(Vector a) { return square_root(dot(a, a)); }
 inline Vector unit(Vector a) { return a * (1 / length(a)); }
+inline Vector magnitude(Vector a) { return {absolute(a.x), absolute(a.y), absolute(a.z)}; }
 inline extended largest(Vector a) { return greater(absolute(a.x), greater(absolute(a.y), absolute(a.z))); }
 
 /// The distance between neighbours among floats at |x| [ulp].

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "tests/support/scenes.h"
@@ -50,6 +51,53 @@ TEST(Transform, TheInverseIsThatOfTheRoundedMap) {
         for (const vec3 &column : {pair->to_group.x, pair->to_group.y, pair->to_group.z})
             size += 3 * glm::length(glm::dvec3(column)) * glm::length(there);
         EXPECT_LE(glm::distance(back, glm::dvec3(p)), 0x1p-22 * size);
+    }
+}
+
+/// As rows and columns of whole numbers, of which integers of 128 bits have the determinant and the minors exactly.
+struct WholeMatrix {
+    using wide = __int128;
+    std::array<std::array<wide, 3>, 3> columns;
+
+    wide minor(int column, int row) const {
+        const auto &a = columns[(column + 1) % 3], &b = columns[(column + 2) % 3];
+        return a[(row + 1) % 3] * b[(row + 2) % 3] - a[(row + 2) % 3] * b[(row + 1) % 3];
+    }
+    wide determinant() const { return columns[2][0] * minor(2, 0) + columns[2][1] * minor(2, 1) + columns[2][2] * minor(2, 2); }
+};
+
+/// Numbers up to 2^22, the third column being next to the plane of the others: nearest to it of 33^3 places, so that the determinant is about 2^-33
+/// of its terms, of which doubles have 2^-53.
+WholeMatrix all_but_flat(Random &random) {
+    WholeMatrix m, best;
+    const auto whole = [&] { return WholeMatrix::wide(random.uniform(-0x1p22f, 0x1p22f)); };
+    for (int row = 0; row < 3; ++row) m.columns[0][row] = whole(), m.columns[1][row] = whole();
+    double least = INFINITY;
+    for (int place = 0; place < 33 * 33 * 33; ++place) {
+        const int offsets[] = {place % 33 - 16, place / 33 % 33 - 16, place / 33 / 33 - 16};
+        for (int row = 0; row < 3; ++row) m.columns[2][row] = (m.columns[0][row] + m.columns[1][row]) / 2 + offsets[row];
+        const double size = std::abs(double(m.determinant()));
+        if (size > 0 && size < least) least = size, best = m;
+    }
+    return best;
+}
+
+/// A coefficient has 2^-24 of itself from rounding to float.
+TEST(Transform, TheInverseOfAnAllButFlatMapIsRoundedOnce) {
+    Random random(2);
+    for (uint i = 0; i < 10; ++i) {
+        const WholeMatrix m = all_but_flat(random);
+        AffineMap map;
+        for (int column = 0; column < 3; ++column)
+            for (int row = 0; row < 3; ++row) map.linear[column][row] = double(m.columns[column][row]);
+        const auto pair = make_transforms(map);
+        ASSERT_TRUE(pair);
+        const vec3 columns[] = {pair->to_group.x, pair->to_group.y, pair->to_group.z};
+        for (int column = 0; column < 3; ++column)
+            for (int row = 0; row < 3; ++row) {
+                const double exact = double(m.minor(row, column)) / double(m.determinant());
+                EXPECT_NEAR(columns[column][row], exact, 0x1.001p-24 * std::abs(exact));
+            }
     }
 }
 

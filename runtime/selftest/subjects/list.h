@@ -10,6 +10,7 @@ void add_spawned_rays(std::vector<SubjectEntry> &list);
 void add_boxes(std::vector<SubjectEntry> &list);
 void add_closed_meshes(std::vector<SubjectEntry> &list);
 void add_camera_rays(std::vector<SubjectEntry> &list);
+void add_instances(std::vector<SubjectEntry> &list);
 void add_film(std::vector<SubjectEntry> &list);
 
 }  // namespace brandung
