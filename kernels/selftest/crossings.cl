@@ -4,6 +4,7 @@
 typedef struct {
     float t, u, v;
     Surface surface;
+    vec2 uv;  ///< of flat kinds the crossing's, by which what vertices have is interpolated; of others those of pictures
     uint hit;
 } CrossingResult;
 
@@ -16,7 +17,12 @@ kernel void test_crossings(SCENE_PARAMS, const global Block *restrict blocks, co
         const Crossing crossing = cross_one(blocks, i, ray, extents[i]);
         CrossingResult result;
         result.t = crossing.t, result.u = crossing.u, result.v = crossing.v, result.hit = crossing.hit != 0;
-        if (result.hit) result.surface = NAME(surface)(scene, records + i, ray, hit_of(crossing, i));
+        if (result.hit) {
+            const Hit hit = hit_of(crossing, i);
+            result.surface = NAME(surface)(scene, records + i, ray, hit);
+            result.uv = NAME(pattern)(scene, records + i, ray, hit).uv;
+            if (IS_FLAT) result.uv.x = hit.u, result.uv.y = hit.v;
+        }
         results[i] = result;
     }
 }

@@ -7,10 +7,10 @@
 namespace brandung {
 
 /// What errors are measured of. Positions: distances from the true surface; normals: between unit vectors, in ulp of 1;
-/// offsets: of the beginnings of rays from the surface that they leave.
-enum class Quantity { value, t, position, normal, offset };
-inline constexpr std::size_t quantities = 5;
-inline constexpr std::array<const char *, quantities> quantity_names = {"value", "t", "position", "normal", "offset"};
+/// shading: those of interpolated normals; uv: of coordinates on the surface; offsets: of the beginnings of rays from where they should begin.
+enum class Quantity { value, t, position, normal, shading, uv, offset };
+inline constexpr std::size_t quantities = 7;
+inline constexpr std::array<const char *, quantities> quantity_names = {"value", "t", "position", "normal", "shading", "uv", "offset"};
 
 /// Errors of one quantity.
 struct Errors {

@@ -1,11 +1,13 @@
 /// PrimitiveOracle: the host's side of one kind of primitive in the self-test: inputs that are hard for it, and what is right there, in extended
 /// precision and by formulas that the kernels do not use.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
 
 #include "kernels/core/items.h"
+#include "kernels/primitives/smooth_triangle.h"
 #include "runtime/selftest/input_source.h"
 #include "runtime/selftest/roots.h"
 #include "scene/primitives/shape.h"
@@ -30,6 +32,12 @@ struct Normal {
     extended error;
 };
 
+/// True coordinates on the surface, and how far from them rounding may take the kernel's. An error of 1/2 or more says that nothing is known.
+struct Place {
+    std::array<extended, 2> uv;
+    std::array<extended, 2> error;
+};
+
 class PrimitiveOracle {
 public:
     virtual ~PrimitiveOracle() = default;
@@ -45,6 +53,10 @@ public:
     virtual extended distance(Lane lane, Vector p) const = 0;
     /// Where the ray has t, in the kernel's opinion. An error of 1 or more says that nothing is known.
     virtual Normal normal_on(Lane lane, const Ray &ray, extended t) const = 0;
+    /// Coordinates there: of flat kinds the weights of the second and third vertex, of others those of pictures, of which the first goes around.
+    virtual Place place_on(Lane lane, const Ray &ray, extended t) const = 0;
+    /// The shading normal there, of either sign, of kinds whose vertices have normals; the others' is the normal.
+    virtual Normal shading_normal_on(Lane lane, const VertexNormals &, const Ray &ray, extended t) const { return normal_on(lane, ray, t); }
     /// At a point that a kernel has put onto the surface.
     virtual Normal normal_at(Lane lane, Vector p) const = 0;
     /// How far it is from such a point to where the inside ends, or another part of the surface is, at least.

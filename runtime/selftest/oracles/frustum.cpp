@@ -2,6 +2,8 @@
 #include "kernels/primitives/frustum.h"
 
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "runtime/selftest/oracles/oracles.h"
 #include "scene/primitives/kinds.h"
@@ -110,6 +112,19 @@ public:
         const Vector f = Vector(ray.origin) - record.center, d = ray.direction, there = f + d * t, axis = record.unit_axis();
         const extended error = 16 * unit_roundoff * (length(f) + t * length(d)) / record.across(there) + 8 * unit_roundoff;
         return {unit(unit(there - axis * dot(there, axis)) - axis * record.slope), error};
+    }
+
+    /// u from the direction across the axis that lies in the plane of its larger component of x and z, and y; v from end to end. f is off by
+    /// e = 8 u (|f| + t |d|), and the axes have roundings of their own: parts of f along them are off by e + 10 u |f|.
+    Place place_on(Lane lane, const Ray &ray, extended t) const override {
+        const Frustum record = frustum_of(lane);
+        const Vector start = Vector(ray.origin) - record.center, d = ray.direction, f = start + d * t, axis = record.unit_axis();
+        const Vector x = unit(absolute(axis.x) > absolute(axis.z) ? Vector(-axis.y, axis.x, 0) : Vector(0, -axis.z, axis.y)), y = cross(axis, x);
+        const extended error = 8 * unit_roundoff * (length(start) + t * length(d)) + 10 * unit_roundoff * length(f);
+        const long double angle = std::atan2((long double)(dot(f, y)), (long double)(dot(f, x)));
+        const extended v = 0.5 + dot(f, axis) / (2 * record.half_length);
+        return {{0.5L + angle / (2 * std::numbers::pi_v<long double>), v},
+                {0.25 * error / record.across(f) + 4 * unit_roundoff, error / (2 * record.half_length) + 4 * unit_roundoff * (1 + absolute(v))}};
     }
 
     /// p is put together from the centre, a place on the axis and the way outward, as the kernel has it; its coordinates' rounding turns that.

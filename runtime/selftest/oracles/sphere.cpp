@@ -1,6 +1,9 @@
 /// Spheres in extended precision: crossings by the distance between centre and line as a cross product, which the kernel does not use.
 #include "kernels/primitives/sphere.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "runtime/selftest/oracles/oracles.h"
 #include "scene/primitives/kinds.h"
 
@@ -77,6 +80,17 @@ public:
         const Sphere sphere = sphere_of(lane);
         const Vector f = Vector(ray.origin) - sphere.center, d = ray.direction;
         return {unit(f + d * t), 8 * unit_roundoff * (length(f) + t * length(d)) / sphere.radius + 4 * unit_roundoff};
+    }
+
+    /// v grows from the pole at -y to that at +y, u is 1/2 towards z and grows towards x. f is off by e = 8 u (|f| + t |d|): the angle about the y
+    /// axis by e over the distance from that, the other one by e / |f|. Arctangents are off by 9 u, as angles; the rest is rounding of numbers up
+    /// to 1.
+    Place place_on(Lane lane, const Ray &ray, extended t) const override {
+        const Vector start = Vector(ray.origin) - sphere_of(lane).center, d = ray.direction, f = start + d * t;
+        const extended error = 8 * unit_roundoff * (length(start) + t * length(d)), across = square_root(f.x * f.x + f.z * f.z);
+        const long double angle = std::atan2((long double)(f.x), (long double)(f.z)), height = std::atan2((long double)(f.y), (long double)(across));
+        return {{0.5L + angle / (2 * std::numbers::pi_v<long double>), 0.5L + height / std::numbers::pi_v<long double>},
+                {0.2 * error / across + 4 * unit_roundoff, 0.4 * error / length(f) + 6 * unit_roundoff}};
     }
 
     /// p is the centre and the normal, as the kernel has it, times r, but for rounding.

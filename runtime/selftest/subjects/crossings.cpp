@@ -9,7 +9,8 @@
 namespace brandung {
 namespace {
 
-constexpr std::size_t inputs_per_round = 1 << 18;
+constexpr std::size_t inputs_per_round = 1 << 17;
+constexpr std::size_t compared = 8;  ///< one result of so many, with the one in double: it costs as much as the verdict and is none
 
 vec3 vector_of(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 template <class Number> Vector wide(const Number (&v)[3]) { return {v[0], v[1], v[2]}; }
@@ -30,7 +31,7 @@ public:
             if (differences[i] != 0) findings.blame([&] { return describe(difference(differences[i])); });
             if (!results[i].hit || !verdict.fault.empty()) return;
             look_at_surface(cases, i, results[i], verdict, findings, describe);
-            if (doubles && (*doubles)[i].hit) compare(cases, i, results[i], (*doubles)[i], verdict, findings);
+            if (doubles && i % compared == 0 && (*doubles)[i].hit) compare(cases, i, results[i], (*doubles)[i], verdict, findings);
         });
     }
 
@@ -68,8 +69,10 @@ private:
         if (!(allowed <= 0x1p-18 * cases.extents[i] + 0x1p-147))
             findings.blame([&] { return describe(fmt::format("the point says that it may lie {:.3g} off, which is of no use", allowed)); });
         look_at_place(cases, i, result, verdict, findings, describe);
+        look_at_coordinates(cases, i, result, findings, describe);
         const Normal normal = oracle_.normal_on(cases.lane(i), cases.rays[i], result.t);
         if (!(normal.error < 0.5)) return;  // nothing is known, as at a tip seen from afar
+        look_at_shading_normal(cases, i, result, normal, findings, describe);
         const double turned = double(length(Vector(n) - normal.n));
         findings.measure(Quantity::normal, turned, double(normal.error), 2 * unit_roundoff, 1,
                          [&] { return describe(fmt::format("the normal is off by {:.3g}, more than {:.3g}", turned, double(normal.error))); });
@@ -89,6 +92,41 @@ private:
         });
     }
 
+    /// From the first coordinate of a kind that is not flat, which goes around, to its true one.
+    extended around(extended difference) const {
+        return oracle_.kind().is_flat ? difference : lesser(absolute(difference), absolute(1 - absolute(difference)));
+    }
+
+    template <class Describe>
+    void look_at_coordinates(const CrossingCases &cases, std::size_t i, const CrossingResult<float> &result, Findings &findings,
+                             Describe describe) const {
+        const Place place = oracle_.place_on(cases.lane(i), cases.rays[i], result.t);
+        const extended off[] = {absolute(around(result.uv[0] - place.uv[0])), absolute(result.uv[1] - place.uv[1])};
+        for (uint k = 0; k < 2; ++k)
+            if (place.error[k] < 0.5)
+                findings.measure(Quantity::uv, double(off[k]), double(place.error[k]), 2 * unit_roundoff, 1, [&] {
+                    return describe(fmt::format("{} is {:.9g}, and not {:.9g}, by more than {:.3g}", k == 0 ? "u" : "v", result.uv[k],
+                                                double(place.uv[k]), double(place.error[k])));
+                });
+    }
+
+    /// On the geometric normal's side, where that can be told.
+    template <class Describe>
+    void look_at_shading_normal(const CrossingCases &cases, std::size_t i, const CrossingResult<float> &result, const Normal &geometric,
+                                Findings &findings, Describe describe) const {
+        const Vector n = wide(result.normal);
+        if (cases.normals.empty()) {
+            if (vector_of(result.normal) != vector_of(result.geometric)) findings.blame([&] { return describe("the shading normal is another"); });
+            return;
+        }
+        const Normal exact = oracle_.shading_normal_on(cases.lane(i), cases.normals[i], cases.rays[i], result.t);
+        if (!(exact.error < 0.5)) return;
+        const extended cosine = dot(exact.n, geometric.n), side = absolute(cosine) > exact.error + geometric.error ? cosine : dot(exact.n, n);
+        const double turned = double(length(n - exact.n * (side < 0 ? -1 : 1)));
+        findings.measure(Quantity::shading, turned, double(exact.error), 2 * unit_roundoff, 1,
+                         [&] { return describe(fmt::format("the shading normal is off by {:.3g}, more than {:.3g}", turned, double(exact.error))); });
+    }
+
     /// Of the same root, which doubles find to a thousandth of the floats' bound. Positions: how far they are from the surface; normals: from that at
     /// their own t.
     void compare(const CrossingCases &cases, std::size_t i, const CrossingResult<float> &result, const CrossingResult<double> &exact,
@@ -104,6 +142,22 @@ private:
         if (!(normal.error < 0.5)) return;
         const double apart = double(length(turned - (normal.n - at_exact.n)));
         findings.rounding_of(Quantity::normal).add(apart, 2 * double(normal.error), 2 * unit_roundoff, 1);
+        compare_coordinates(cases, i, result, exact, findings);
+    }
+
+    void compare_coordinates(const CrossingCases &cases, std::size_t i, const CrossingResult<float> &result, const CrossingResult<double> &exact,
+                             Findings &findings) const {
+        const Place here = oracle_.place_on(cases.lane(i), cases.rays[i], result.t), there = oracle_.place_on(cases.lane(i), cases.rays[i], exact.t);
+        for (uint k = 0; k < 2; ++k) {
+            const extended off = (result.uv[k] - here.uv[k]) - (exact.uv[k] - there.uv[k]);
+            if (here.error[k] < 0.5)
+                findings.rounding_of(Quantity::uv).add(double(absolute(k == 0 ? around(off) : off)), 2 * double(here.error[k]), 2 * unit_roundoff, 1);
+        }
+        if (cases.normals.empty() || dot(wide(result.normal), wide(exact.normal)) < 0) return;
+        const Normal shading = oracle_.shading_normal_on(cases.lane(i), cases.normals[i], cases.rays[i], result.t);
+        if (!(shading.error < 0.5)) return;
+        findings.rounding_of(Quantity::shading)
+            .add(double(length(wide(result.normal) - wide(exact.normal))), 2 * double(shading.error), 2 * unit_roundoff, 1);
     }
 
     Device &device_;
@@ -117,7 +171,7 @@ void add_crossings(std::vector<SubjectEntry> &list) {
     for (const PrimitiveOracle *oracle : primitive_oracles()) {
         const std::string name = oracle->kind().name;
         list.push_back({name, "primitives/" + name + "_hit.cl, " + name + ".cl",
-                        "t: 8 ulp or the oracle's conditioning; position: the surface's own error; normal: the oracle's conditioning", 2,
+                        "t: 8 ulp or the oracle's conditioning; position: the surface's own error; normals and uv: the oracle's conditioning", 4,
                         [oracle](Device &device) { return std::make_unique<Crossings>(device, *oracle); }});
     }
 }

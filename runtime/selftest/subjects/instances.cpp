@@ -16,7 +16,7 @@
 namespace brandung {
 namespace {
 
-constexpr std::size_t inputs_per_round = 1 << 18;
+constexpr std::size_t inputs_per_round = 1 << 16;
 
 /// Records as kernels have them, in float or in double.
 template <class Number> struct InstanceOf {
@@ -260,7 +260,7 @@ private:
 
 void add_instances(std::vector<SubjectEntry> &list) {
     list.push_back({"instances", "primitives/instance.cl, transform.cl",
-                    "origins: 2^-21 of the terms; position: the surface's own error; normal: 4 roundings of the terms", 1,
+                    "origins: 2^-21 of the terms; position: the surface's own error; normal: 4 roundings of the terms", 4,
                     [](Device &device) { return std::make_unique<Instances>(device); }});
 }
 

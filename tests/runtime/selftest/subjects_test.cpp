@@ -17,7 +17,7 @@ class Subjects : public testing::TestWithParam<SubjectEntry> {};
 TEST_P(Subjects, Pass) {
     const Findings findings = GetParam().make(test_device())->examine(0);
     EXPECT_TRUE(findings.passed()) << findings.fault;
-    EXPECT_GE(findings.inputs, 1u << 18);
+    EXPECT_GE(findings.inputs, 1u << 16);
     EXPECT_GT(findings.hits, findings.inputs * 2 / 5);
     EXPECT_LT(findings.ambiguous, findings.inputs / 2);
 }
