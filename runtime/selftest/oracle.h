@@ -38,6 +38,11 @@ struct Place {
     std::array<extended, 2> error;
 };
 
+/// One over a density by area, and the relative error of it.
+struct Density {
+    extended inverse, error;
+};
+
 class PrimitiveOracle {
 public:
     virtual ~PrimitiveOracle() = default;
@@ -59,6 +64,11 @@ public:
     virtual Normal shading_normal_on(Lane lane, const VertexNormals &, const Ray &ray, extended t) const { return normal_on(lane, ray, t); }
     /// At a point that a kernel has put onto the surface.
     virtual Normal normal_at(Lane lane, Vector p) const = 0;
+    /// How far beyond the surface's ends p is at most, along it.
+    virtual extended beyond_ends(Lane lane, Vector p) const = 0;
+    /// As a light: one over the density, by area, with which p of its surface is chosen where `from` is lit, and how far rounding takes it from that
+    /// if p and `from` are known to within `slack` and `from_slack`.
+    virtual Density inverse_density(Lane lane, Vector p, Vector from, extended slack, extended from_slack) const = 0;
     /// How far it is from such a point to where the inside ends, or another part of the surface is, at least.
     virtual extended room(Lane lane, Vector p) const = 0;
 };

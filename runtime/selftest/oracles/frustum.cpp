@@ -135,6 +135,18 @@ public:
         return {unit(unit(p - axis * dot(p, axis)) - axis * record.slope), 16 * unit_roundoff * size / record.across(p) + 8 * unit_roundoff};
     }
 
+    extended beyond_ends(Lane lane, Vector point) const override {
+        const Frustum record = frustum_of(lane);
+        return greater(absolute(record.place(point - record.center)) - record.half_length, 0);
+    }
+
+    /// Uniform.
+    Density inverse_density(Lane lane, Vector, Vector, extended, extended) const override {
+        const Frustum record = frustum_of(lane);
+        const extended slant = square_root(1 + record.slope * record.slope);
+        return {4 * std::numbers::pi_v<long double> * record.radius * record.half_length * slant, 8 * unit_roundoff};
+    }
+
     extended room(Lane lane, Vector point) const override {
         const Frustum record = frustum_of(lane);
         return record.across(point - record.center);

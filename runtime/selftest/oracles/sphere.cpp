@@ -99,6 +99,20 @@ public:
         return {unit(p - sphere.center), 8 * unit_roundoff * (largest(p) + largest(sphere.center)) / sphere.radius + 4 * unit_roundoff};
     }
 
+    extended beyond_ends(Lane, Vector) const override { return 0; }
+
+    /// From inside uniform. From outside, at the distance d, by the part that is seen, (1 - (r / d)²) pi r², over the cosine between p and `from` as
+    /// the centre sees them. r / d is off by that of d, and the part by twice that over itself; the cosine by what turns both.
+    Density inverse_density(Lane lane, Vector p, Vector from, extended slack, extended from_slack) const override {
+        const Sphere sphere = sphere_of(lane);
+        const extended r = sphere.radius, pi = std::numbers::pi_v<long double>, u = unit_roundoff;
+        const Vector way = from - sphere.center;
+        const extended d = length(way), ratio = r / d, seen = 1 - ratio * ratio;
+        if (d < r) return {4 * pi * r * r, 8 * u};
+        const extended cosine = dot(unit(p - sphere.center), unit(way)), turned = slack / r + from_slack / d + 8 * u;
+        return {seen / cosine * pi * r * r, 2 * (from_slack / d + 6 * u) / seen + turned / cosine + 8 * u};
+    }
+
     extended room(Lane lane, Vector) const override { return sphere_of(lane).radius; }
 };
 

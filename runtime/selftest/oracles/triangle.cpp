@@ -110,6 +110,28 @@ public:
         return place;
     }
 
+    extended beyond_ends(Lane lane, Vector p) const override {
+        const Corners v = corners_of(lane);
+        const Vector n = normal_of(v);
+        extended square = 0;
+        bool inside = true;
+        for (uint i = 0; i < 3; ++i) {
+            const Vector from = Vector(v[i]) - p, to = Vector(v[(i + 1) % 3]) - p;
+            inside &= dot(n, cross(from, to)) >= 0;
+            const extended to_edge = square_to_segment(from, to);
+            square = i == 0 ? to_edge : lesser(square, to_edge);
+        }
+        return inside ? 0 : square_root(square);
+    }
+
+    /// Uniform; areas are made in double, of edges that are rounded to u of their lengths.
+    Density inverse_density(Lane lane, Vector, Vector, extended, extended) const override {
+        const Corners v = corners_of(lane);
+        const Vector e = Vector(v[1]) - Vector(v[0]), f = Vector(v[2]) - Vector(v[0]);
+        const extended area = length(normal_of(v)) / 2;
+        return {area, 4 * unit_roundoff * length(e) * length(f) / area};
+    }
+
     extended room(Lane, Vector) const override { return std::numeric_limits<double>::infinity(); }
 
 protected:

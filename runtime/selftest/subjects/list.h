@@ -11,6 +11,9 @@ void add_boxes(std::vector<SubjectEntry> &list);
 void add_closed_meshes(std::vector<SubjectEntry> &list);
 void add_camera_rays(std::vector<SubjectEntry> &list);
 void add_instances(std::vector<SubjectEntry> &list);
+void add_point_lights(std::vector<SubjectEntry> &list);
+void add_emissive_shapes(std::vector<SubjectEntry> &list);
+void add_textures(std::vector<SubjectEntry> &list);
 void add_film(std::vector<SubjectEntry> &list);
 
 }  // namespace brandung
