@@ -9,6 +9,7 @@ void add_crossings(std::vector<SubjectEntry> &list);
 void add_spawned_rays(std::vector<SubjectEntry> &list);
 void add_boxes(std::vector<SubjectEntry> &list);
 void add_closed_meshes(std::vector<SubjectEntry> &list);
+void add_packets(std::vector<SubjectEntry> &list);
 void add_camera_rays(std::vector<SubjectEntry> &list);
 void add_instances(std::vector<SubjectEntry> &list);
 void add_point_lights(std::vector<SubjectEntry> &list);
