@@ -211,7 +211,7 @@ void add_emissive_shapes(std::vector<SubjectEntry> &list) {
     for (const PrimitiveOracle *oracle : primitive_oracles()) {
         const std::string name = oracle->kind().name;
         list.push_back({"emissive_" + name, "lights/emission.cl, emissive_*.cl",
-                        "rays end before the surface, by twice the point's own error; value: the conditioning of that", 4,
+                        "rays end before the surface, by twice the point's own error; value: the conditioning of that", 2,
                         [oracle](Device &device) { return std::make_unique<EmissiveShape>(device, *oracle); }});
     }
 }

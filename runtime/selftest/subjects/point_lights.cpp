@@ -148,7 +148,7 @@ private:
 void add_point_lights(std::vector<SubjectEntry> &list) {
     for (const LightOfPoint &kind : kinds)
         list.push_back({std::string("light_") + kind.name, fmt::format("lights/{}.cl, attenuation.cl", kind.name),
-                        "direction: 8 roundings, t: 4; value: those of its terms", 4,
+                        "direction: 8 roundings, t: 4; value: those of its terms", 2,
                         [&kind](Device &device) { return std::make_unique<LightFromPoint>(device, kind); }});
 }
 
