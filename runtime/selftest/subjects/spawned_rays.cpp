@@ -9,7 +9,7 @@
 namespace brandung {
 namespace {
 
-constexpr std::size_t inputs_per_round = 1 << 18;
+constexpr std::size_t inputs_per_round = 1 << 17;
 
 /// As kernels/selftest/spawned_rays.cl has it.
 struct SpawnResult {
@@ -118,7 +118,7 @@ void add_spawned_rays(std::vector<SubjectEntry> &list) {
     for (const PrimitiveOracle *oracle : primitive_oracles()) {
         const std::string name = oracle->kind().name;
         list.push_back({"spawn_" + name, "core/spawn.cl, primitives/" + name + ".cl, " + name + "_hit.cl",
-                        "offset: twice the surface's own error; never their own surface", 4,
+                        "offset: twice the surface's own error; never their own surface", 8,
                         [oracle](Device &device) { return std::make_unique<SpawnedRays>(device, *oracle); }});
     }
 }
