@@ -16,6 +16,7 @@ void add_point_lights(std::vector<SubjectEntry> &list);
 void add_emissive_shapes(std::vector<SubjectEntry> &list);
 void add_textures(std::vector<SubjectEntry> &list);
 void add_vertex_patterns(std::vector<SubjectEntry> &list);
+void add_filters(std::vector<SubjectEntry> &list);
 void add_film(std::vector<SubjectEntry> &list);
 
 }  // namespace brandung
