@@ -1,4 +1,5 @@
-// Rays of a pinhole camera: camera i at picture point i.
+// Rays of a pinhole camera, in the precision in force: camera i at picture point i.
+#include "generated/precision.cl"
 #include "kernels/cameras/perspective.cl"
 
 kernel void test_camera_rays(const global Camera *restrict cameras, const global vec2 *restrict points, uint count,

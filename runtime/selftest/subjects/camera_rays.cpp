@@ -1,17 +1,28 @@
 /// Rays of the pinhole camera.
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "kernels/core/params.h"
 #include "runtime/opencl/kernel.h"
 #include "runtime/selftest/describe.h"
 #include "runtime/selftest/examine.h"
 #include "runtime/selftest/extended.h"
+#include "runtime/selftest/precision.h"
 #include "runtime/selftest/subjects/list.h"
 
 namespace brandung {
 namespace {
 
 constexpr std::size_t inputs_per_round = 1 << 18;
+
+/// As kernels have it, in float or in double.
+template <class Number> struct CameraOf {
+    using Three = glm::vec<3, Number>;
+    Three position, corner, right, down;
+    uint width, height;
+    explicit CameraOf(const Camera &c) : position(c.position), corner(c.corner), right(c.right), down(c.down), width(c.width), height(c.height) {}
+};
 
 /// Of all angles of view up to 179 degrees, wide and narrow pictures, anywhere.
 Camera any_camera(InputSource &source) {
@@ -28,7 +39,9 @@ Camera any_camera(InputSource &source) {
 
 class CameraRays final : public Subject {
 public:
-    explicit CameraRays(Device &device) : device_(device), kernel_(device, "kernels/selftest/camera_rays.cl", "test_camera_rays", {}) {}
+    explicit CameraRays(Device &device) : device_(device), kernel_(build(false)) {
+        if (device.info().doubles) kernel_in_double_.emplace(build(true));
+    }
 
     Findings examine(uint round) override {
         std::vector<Camera> cameras(inputs_per_round);
@@ -38,20 +51,34 @@ public:
             cameras[i] = any_camera(source);
             points[i] = source.one_in(8) ? vec2(source.below(3) / 2.0f, source.below(3) / 2.0f) : vec2(source.uniform(0, 1), source.uniform(0, 1));
         }
-        Buffer<vec3> results(device_, inputs_per_round);
-        kernel_(inputs_per_round, Buffer<Camera>(device_, cameras), Buffer<vec2>(device_, points), static_cast<uint>(inputs_per_round), results);
-        const std::vector<vec3> directions = results.read();
+        const std::vector<vec3> directions = run<float>(kernel_, cameras, points);
+        const auto doubles = kernel_in_double_ ? run<double>(*kernel_in_double_, cameras, points) : std::vector<glm::dvec3>();
         device_.finish();
-        return examine_each(inputs_per_round, [&](std::size_t i, Findings &findings) { look_at(cameras[i], points[i], directions[i], findings); });
+        return examine_each(inputs_per_round, [&](std::size_t i, Findings &findings) {
+            look_at(cameras[i], points[i], directions[i], kernel_in_double_ ? &doubles[i] : nullptr, findings);
+        });
     }
 
 private:
+    Kernel build(bool in_double) const { return {device_, "kernels/selftest/camera_rays.cl", "test_camera_rays", {precision(in_double)}}; }
+
+    template <class Number>
+    std::vector<glm::vec<3, Number>> run(Kernel &kernel, const std::vector<Camera> &cameras, const std::vector<vec2> &points) {
+        Buffer<glm::vec<3, Number>> results(device_, inputs_per_round);
+        kernel(inputs_per_round, Buffer<CameraOf<Number>>(device_, std::vector<CameraOf<Number>>(cameras.begin(), cameras.end())),
+               Buffer<glm::vec<2, Number>>(device_, std::vector<glm::vec<2, Number>>(points.begin(), points.end())),
+               static_cast<uint>(inputs_per_round), results);
+        return results.read();
+    }
+
     /// The sum has 4 roundings, of magnitudes up to that of its terms; unit() adds 4 u.
-    static void look_at(const Camera &camera, vec2 point, vec3 direction, Findings &findings) {
+    static void look_at(const Camera &camera, vec2 point, vec3 direction, const glm::dvec3 *in_double, Findings &findings) {
         const Vector corner = camera.corner, right = Vector(camera.right) * point.x, down = Vector(camera.down) * point.y,
                      sum = corner + right + down;
         const extended allowed = 4 * unit_roundoff * ((length(corner) + length(right) + length(down)) / length(sum) + 1);
         ++findings.hits;
+        if (in_double)
+            findings.rounding_of(Quantity::normal).add(glm::distance(glm::dvec3(direction), *in_double), double(allowed), 2 * unit_roundoff, 1);
         findings.measure(Quantity::normal, double(length(Vector(direction) - unit(sum))), double(allowed), 2 * unit_roundoff, 1, [&] {
             return fmt::format("direction {} of corner {} + {:a} {} + {:a} {}", text_of(direction), text_of(camera.corner), point.x,
                                text_of(camera.right), point.y, text_of(camera.down));
@@ -60,6 +87,7 @@ private:
 
     Device &device_;
     Kernel kernel_;
+    std::optional<Kernel> kernel_in_double_;
 };
 
 }  // namespace
