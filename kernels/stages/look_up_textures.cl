@@ -1,17 +1,9 @@
 // From hits to the colours that pictures and vertices give them. Only in scenes with textures, vertex colours or a picture as background.
 #include "generated/instances.cl"
 #include "kernels/core/load.cl"
-#include "kernels/core/math.cl"
 #include "kernels/primitives/primitive.cl"
+#include "kernels/textures/panorama.cl"
 #include "kernels/textures/texture.cl"
-
-/// Where a panorama shows direction d: its middle lies along -z, its upper edge along y.
-FUNCTION vec2 panorama_place(vec3 d, float turn) {
-    vec2 uv;
-    uv.x = 0.5f + INVERSE_TWO_PI * arctangent(d.x, -d.z) + turn;
-    uv.y = 1.0f - 2.0f * INVERSE_TWO_PI * arctangent(sqrt(d.x * d.x + d.z * d.z), d.y);
-    return uv;
-}
 
 /// The colour of the picture of that number + 1; 0 is white.
 FUNCTION Spectrum color_of(Scene scene, const global ushort *texels, uint texture, vec2 uv) {

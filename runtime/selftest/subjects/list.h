@@ -17,6 +17,7 @@ void add_emissive_shapes(std::vector<SubjectEntry> &list);
 void add_textures(std::vector<SubjectEntry> &list);
 void add_vertex_patterns(std::vector<SubjectEntry> &list);
 void add_filters(std::vector<SubjectEntry> &list);
+void add_panoramas(std::vector<SubjectEntry> &list);
 void add_film(std::vector<SubjectEntry> &list);
 
 }  // namespace brandung
