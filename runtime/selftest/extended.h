@@ -24,8 +24,9 @@ inline bool is_finite(extended x) { return x - x == 0; }
 /// Newton's step doubles the digits of long double's root. Of numbers below 0 it is 0.
 inline extended square_root(extended x) {
     if (!(x > 0)) return 0;
-    const extended y = std::sqrt(static_cast<long double>(x));
-    return y > 0 && is_finite(y) ? (y + x / y) / 2 : y;
+    const long double root = std::sqrt(static_cast<long double>(x));
+    const extended y = root;
+    return root > 0 && is_finite(y) ? y + (x - y * y) * (0.5L / root) : y;
 }
 
 struct Vector {

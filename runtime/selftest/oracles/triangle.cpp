@@ -1,7 +1,9 @@
 /// Triangles in extended precision: t by the plane, inside or not by the projection along the ray; the kernel does both by sheared edge functions.
 #include "kernels/primitives/triangle.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "runtime/selftest/oracles/oracles.h"
 #include "scene/primitives/kinds.h"
@@ -20,16 +22,19 @@ Corners corners_of(Lane lane) {
 
 Vector normal_of(const Corners &v) { return cross(Vector(v[1]) - Vector(v[0]), Vector(v[2]) - Vector(v[0])); }
 
-/// Square of the distance from the origin to the segment from p to q.
-extended square_to_segment(Vector p, Vector q) {
-    const Vector along = q - p;
-    const extended square = dot(along, along), s = square > 0 ? lesser(greater(-dot(p, along) / square, 0), 1) : 0;
-    const Vector nearest = p + along * s;
-    return dot(nearest, nearest);
+glm::dvec3 in_double(Vector v) { return {double(v.x), double(v.y), double(v.z)}; }
+
+/// Square of the distance from the origin to the segment from p to q, in double: right to 2^-50 of the larger one's square.
+double square_to_segment(Vector from, Vector to) {
+    const glm::dvec3 p = in_double(from), along = in_double(to - from);
+    const double square = glm::dot(along, along), s = square > 0 ? glm::clamp(-glm::dot(p, along) / square, 0.0, 1.0) : 0;
+    const glm::dvec3 nearest = p + along * s;
+    return glm::dot(nearest, nearest);
 }
 
 /// Rounding, with u = 2^-24 and M the largest coordinate of a vertex seen from the origin: a sheared coordinate is off by 6 u M (two differences,
-/// |shear| <= 1 and its product), so the ray passes a vertex at a distance that is off by 9 u M at most. Within that of an edge anything goes.
+/// |shear| <= 1 and its product), so the ray passes a vertex at a distance that is off by 9 u M at most. Within that of an edge, and a hundredth for
+/// its square, which is about 2^-42 M^2 and computed to 2^-50 M^2, anything goes.
 /// z, which is t times the direction's largest component, is the mean of the vertices' z with weights that are right for such vertices to 8 u: the
 /// point lies in the true plane but for (9 + 16) u M, times the plane's slope, which is at most 1 / cosine; and the mean itself is off by 8 u M.
 /// A ray whose cosine is as small as the rounding of the normal lies in the plane, as far as floats can tell: it may be met anywhere in the box.
@@ -63,14 +68,14 @@ public:
 
         std::array<Vector, 3> across = seen;
         for (Vector &w : across) w = w - d * (dot(w, d) / dd);
-        extended to_edges = square_to_segment(across[0], across[1]);
-        to_edges = lesser(to_edges, lesser(square_to_segment(across[1], across[2]), square_to_segment(across[2], across[0])));
+        const double to_edges =
+            std::min({square_to_segment(across[0], across[1]), square_to_segment(across[1], across[2]), square_to_segment(across[2], across[0])});
         bool positive = true, negative = true;
         for (uint i = 0; i < 3; ++i) {
             const extended side = dot(d, cross(across[i], across[(i + 1) % 3]));
             positive &= side >= 0, negative &= side <= 0;
         }
-        const extended doubtful = 9 * u * farthest;
+        const extended doubtful = 9.1 * u * farthest;
         const bool inside = positive || negative, near_edge = to_edges <= doubtful * doubtful;
         if (!(inside || near_edge)) return {};
         if (in_plane) return {{dot(seen[0], d) / dd, 4 * farthest / d_length, false}};
@@ -113,15 +118,15 @@ public:
     extended beyond_ends(Lane lane, Vector p) const override {
         const Corners v = corners_of(lane);
         const Vector n = normal_of(v);
-        extended square = 0;
+        double square = 0;
         bool inside = true;
         for (uint i = 0; i < 3; ++i) {
             const Vector from = Vector(v[i]) - p, to = Vector(v[(i + 1) % 3]) - p;
             inside &= dot(n, cross(from, to)) >= 0;
-            const extended to_edge = square_to_segment(from, to);
-            square = i == 0 ? to_edge : lesser(square, to_edge);
+            const double to_edge = square_to_segment(from, to);
+            square = i == 0 ? to_edge : std::min(square, to_edge);
         }
-        return inside ? 0 : square_root(square);
+        return inside ? 0 : std::sqrt(square);
     }
 
     /// Uniform; areas are made in double, of edges that are rounded to u of their lengths.

@@ -171,7 +171,7 @@ void add_crossings(std::vector<SubjectEntry> &list) {
     for (const PrimitiveOracle *oracle : primitive_oracles()) {
         const std::string name = oracle->kind().name;
         list.push_back({name, "primitives/" + name + "_hit.cl, " + name + ".cl",
-                        "t: 8 ulp or the oracle's conditioning; position: the surface's own error; normals and uv: the oracle's conditioning", 4,
+                        "t: 8 ulp or the oracle's conditioning; position: the surface's own error; normals and uv: the oracle's conditioning", 3,
                         [oracle](Device &device) { return std::make_unique<Crossings>(device, *oracle); }});
     }
 }

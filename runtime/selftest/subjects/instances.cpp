@@ -260,7 +260,7 @@ private:
 
 void add_instances(std::vector<SubjectEntry> &list) {
     list.push_back({"instances", "primitives/instance.cl, transform.cl",
-                    "origins: 2^-21 of the terms; position: the surface's own error; normal: 4 roundings of the terms", 4,
+                    "origins: 2^-21 of the terms; position: the surface's own error; normal: 4 roundings of the terms", 2,
                     [](Device &device) { return std::make_unique<Instances>(device); }});
 }
 
