@@ -28,6 +28,7 @@ void use_everything(const Scene &scene, CompiledScene &compiled) {
 CompiledScene compile(const Scene &scene, Kinds kinds) {
     CompiledScene compiled;
     compiled.warnings = scene.warnings;
+    compiled.warning_places = scene.warning_places;
     Arena arena(compiled.arena);
     add_primitives(scene, kinds, compiled, arena);
     add_materials(scene, compiled, arena);

@@ -42,7 +42,8 @@ struct CompiledScene {
     uint dark_emitters = 0;                    ///< emissive shapes that would be lights, but for integrator.light_samples
     std::map<std::string, uint> light_counts;  ///< of lights and emissive shapes, by kind
     double accelerator_seconds = 0;
-    std::map<std::string, uint> warnings;  ///< the scene's and those found here: text -> how often
+    std::map<std::string, uint> warnings;               ///< the scene's and those found here: text -> how often
+    std::map<std::string, std::string> warning_places;  ///< of both
 };
 
 /// Throws SceneError if the scene is too big, or names an unknown accelerator.

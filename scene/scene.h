@@ -55,6 +55,7 @@ struct IntegratorSettings {
 struct NamedMaterial {
     std::string name;
     Material record;
+    std::string place = {};  ///< `file:line`, or `file`; empty: it is the scene file's own, by its number
 };
 
 /// Objects in a space of their own, which are seen where instances place them.

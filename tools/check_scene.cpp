@@ -26,8 +26,10 @@ nlohmann::json report_of(const Options &options) {
     chosen_camera(scene, options.camera);
     integrator_of(scene);
     const CompiledScene compiled = compile(scene);
-    return {
-        {"file", scene.file}, {"scene", scene_contents(scene, compiled)}, {"warnings", compiled.warnings}, {"warning_places", scene.warning_places}};
+    return {{"file", scene.file},
+            {"scene", scene_contents(scene, compiled)},
+            {"warnings", compiled.warnings},
+            {"warning_places", compiled.warning_places}};
 }
 
 }  // namespace

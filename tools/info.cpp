@@ -32,7 +32,7 @@ json describe(const Options &options) {
             {"features", features(job)},
             {"notes", scene.notes},
             {"warnings", job.compiled.warnings},
-            {"warning_places", scene.warning_places}};
+            {"warning_places", job.compiled.warning_places}};
 }
 
 std::string as_text(const json &description) {

@@ -20,7 +20,7 @@ void check_memory(const Job &job) {
 }
 
 void print_warnings(const RenderCommandOptions &options, const Job &job) {
-    fmt::print(stderr, "{}", warnings_text(job.compiled.warnings, job.scene.warning_places));
+    fmt::print(stderr, "{}", warnings_text(job.compiled.warnings, job.compiled.warning_places));
     const DeviceInfo &device = job.device.info();
     if (options.threads > device.compute_units)
         fmt::print(stderr, "warning: --threads {}: '{}' has only {} compute units\n", options.threads, device.name, device.compute_units);

@@ -8,6 +8,7 @@
 #include "kernels/primitives/instance.h"
 #include "scene/compilation/spaces.h"
 #include "scene/lights/light.h"
+#include "scene/places.h"
 
 namespace brandung {
 
@@ -37,7 +38,7 @@ std::string SceneObjects::place_in_file(const std::string &pointer) {
 
 json SceneObjects::place(std::optional<uint> group, uint object) {
     if (object == NO_OBJECT) return nullptr;
-    return place_in_file((group ? fmt::format("/groups/{}", *group) : "") + fmt::format("/objects/{}", object));
+    return place_in_file(object_pointer(group, object));
 }
 
 /// Of files of meshes and NFF; null for what a native scene file says itself.

@@ -2,14 +2,27 @@
 
 #include "scene/compilation/parts.h"
 #include "scene/lights/light_rows.h"
+#include "scene/materials_in_use.h"
+#include "scene/places.h"
+#include "scene/warnings.h"
 
 namespace brandung {
+namespace {
+
+void warn_of_opaque_shadows(const Scene &scene, CompiledScene &compiled) {
+    compiled.warnings["transparent objects cast opaque shadows: --shadows filtered lets light through them"] = 1;
+    const std::vector<bool> used = materials_in_use(scene);
+    uint first = 0;
+    while (!used[first] || (scene.materials[first].record.flags & MATERIAL_TRANSMITS) == 0) ++first;
+    place_warnings(compiled, [&] { return place_of_material(scene, first); });
+}
+
+}  // namespace
 
 void add_lights(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     const LightRows lights = make_light_rows(scene);
     compiled.filters_shadows = scene.integrator.filtered_shadows && compiled.transmits;
-    if (scene.integrator.shadows_unsaid && compiled.transmits && !lights.rows.empty())
-        compiled.warnings["transparent objects cast opaque shadows: --shadows filtered lets light through them"] = 1;
+    if (scene.integrator.shadows_unsaid && compiled.transmits && !lights.rows.empty()) warn_of_opaque_shadows(scene, compiled);
     compiled.lights = kinds_of(lights.rows);
     compiled.light_counts = lights.counts;
     compiled.dark_emitters = lights.dark;

@@ -1,28 +1,10 @@
 #include <algorithm>
 
 #include "scene/compilation/parts.h"
-#include "scene/compilation/spaces.h"
+#include "scene/materials_in_use.h"
 
 namespace brandung {
 namespace {
-
-/// By material: whether something of the scene has it.
-std::vector<bool> materials_in_use(const Scene &scene) {
-    std::vector<bool> used(scene.materials.size()), shows_its_own(scene.groups.size());
-    const auto add = [&](const Shapes &shapes) {
-        for (const auto &shape : shapes) used.at(shape->material) = true;
-    };
-    add(scene.shapes);
-    for (const PlacedGroup &instance : scene.instances) {
-        if (instance.material == NO_MATERIAL)
-            shows_its_own[instance.group] = true;
-        else
-            used.at(instance.material) = true;
-    }
-    for (std::size_t g = 0; g < scene.groups.size(); ++g)
-        if (shows_its_own[g]) add(scene.groups[g].shapes);
-    return used;
-}
 
 bool has_eye_in(const Scene &scene, const std::string &material) {
     return std::any_of(scene.cameras.begin(), scene.cameras.end(), [&](const CameraDescription &camera) {
@@ -33,7 +15,7 @@ bool has_eye_in(const Scene &scene, const std::string &material) {
 void count_media(const Scene &scene, const std::vector<bool> &used, CompiledScene &compiled) {
     if (!compiled.transmits) return;
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-        const auto &[name, material] = scene.materials[m];
+        const auto &[name, material, place] = scene.materials[m];
         compiled.media += (material.flags & MATERIAL_TRANSMITS) != 0 && (used[m] || has_eye_in(scene, name));
     }
     while (compiled.interior_size < std::min(compiled.media, max_interior_size)) compiled.interior_size = std::max(1u, 2 * compiled.interior_size);

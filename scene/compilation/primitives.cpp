@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <optional>
 
 #include "kernels/core/items.h"
 #include "kernels/primitives/instance.h"
@@ -8,6 +9,8 @@
 #include "scene/compilation/parts.h"
 #include "scene/compilation/spaces.h"
 #include "scene/error.h"
+#include "scene/places.h"
+#include "scene/warnings.h"
 
 namespace brandung {
 namespace {
@@ -55,17 +58,26 @@ float extent_of(const std::vector<Reference> &references) {
     return std::max({largest.x, largest.y, largest.z});
 }
 
+/// `space` is that of the first shape which lacks them.
+void warn_of_lacking_uvs(const Scene &scene, std::size_t space, const Shape &shape, std::size_t triangles, CompiledScene &compiled) {
+    compiled.warnings["triangle with a texture, but without texture coordinates: has the colour at (0, 0)"] = static_cast<uint>(triangles);
+    const std::optional<std::size_t> group = space == 0 ? std::nullopt : std::optional(groups_in_use(scene)[space - 1]);
+    place_warnings(compiled, [&] { return place_of_shape(scene, group, shape); });
+}
+
 void add_shading(const Scene &scene, const std::vector<Space> &spaces, CompiledScene &compiled, Arena &arena) {
     std::vector<ShadingRecord> shading;
     SharedTables tables;
     compiled.counts.resize(compiled.primitives.size());
-    for (const Space &space : spaces) {
-        for (const PrimitiveOf &primitive : space.primitives) {
+    std::optional<std::pair<std::size_t, const Shape *>> lacks_uvs;  // the first one's space, and itself
+    for (std::size_t s = 0; s < spaces.size(); ++s) {
+        for (const PrimitiveOf &primitive : spaces[s].primitives) {
             const uint kind = number_of(compiled.primitives, primitive.shape->kind());
             ++compiled.counts[kind];
-            tables.wants_uvs = space.is_textured || is_textured(scene.materials.at(primitive.shape->material).record);
+            tables.wants_uvs = spaces[s].is_textured || is_textured(scene.materials.at(primitive.shape->material).record);
             ShadingRecord &record = shading.emplace_back(ShadingRecord{kind, primitive.shape->material, {}});
             primitive.shape->write_shading(primitive.i, record.words, tables);
+            if (tables.lack_uvs > 0 && !lacks_uvs) lacks_uvs.emplace(s, primitive.shape);
         }
     }
     compiled.primitive_count = shading.size();
@@ -74,8 +86,7 @@ void add_shading(const Scene &scene, const std::vector<Space> &spaces, CompiledS
     compiled.header.vertex_uvs = arena.add(tables.vertex_uvs);
     compiled.header.vertex_colors = arena.add(tables.vertex_colors);
     compiled.tints |= !tables.vertex_colors.empty();
-    if (tables.lack_uvs > 0)
-        compiled.warnings["triangle with a texture, but without texture coordinates: has the colour at (0, 0)"] = static_cast<uint>(tables.lack_uvs);
+    if (lacks_uvs) warn_of_lacking_uvs(scene, lacks_uvs->first, *lacks_uvs->second, tables.lack_uvs, compiled);
     compiled.shading_normals = !tables.vertex_normals.empty();
 }
 

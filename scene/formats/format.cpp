@@ -7,7 +7,7 @@
 
 #include "scene/error.h"
 #include "scene/input.h"
-#include "scene/vectors.h"
+#include "scene/nothing_to_see.h"
 
 namespace brandung {
 
@@ -17,22 +17,6 @@ Scene read_obj_scene(const std::string &file, const ReadOptions &options);
 Scene read_ply_scene(const std::string &file, const ReadOptions &options);
 
 namespace {
-
-bool is_dark(const Scene &scene) {
-    const auto shines = [&](const NamedMaterial &material) {
-        const bool shows_background = (material.record.flags & (MATERIAL_REFLECTS | MATERIAL_TRANSMITS)) != 0 && largest(scene.background) > 0;
-        return largest(material.record.emission) > 0 || shows_background;
-    };
-    return scene.lights.empty() && largest(scene.ambient) == 0 && std::none_of(scene.materials.begin(), scene.materials.end(), shines);
-}
-
-/// What makes a picture that shows nothing, and is rarely meant.
-void warn_of_nothing_to_see(Scene &scene) {
-    if (scene.shapes.empty() && scene.instances.empty())
-        ++scene.warnings["the scene has no objects"];
-    else if (is_dark(scene))
-        ++scene.warnings["the scene has neither lights nor ambient light nor emission: its objects are black"];
-}
 
 void change_view(const ViewChanges &changes, Scene &scene) {
     for (CameraDescription &camera : scene.cameras) {

@@ -38,7 +38,7 @@ struct Reading {
 };
 
 /// A material from the columns of an `f` line: Ks and T weigh the secondary rays as they stand, without Fresnel's reflectance.
-void add_material(Scene &scene, const std::string &name, Spectrum color, float kd, float ks, float shine, float t, float eta) {
+void add_material(Reading &reading, const std::string &name, Spectrum color, float kd, float ks, float shine, float t, float eta) {
     const Whitted whitted = {.ambient = color * kd,
                              .diffuse = color * kd,
                              .specular = Spectrum(ks),
@@ -51,7 +51,7 @@ void add_material(Scene &scene, const std::string &name, Spectrum color, float k
     if (ks > 0 || t > 0) material.flags |= MATERIAL_REFLECTS | MATERIAL_SPAWNS_ALWAYS;
     if (t > 0) material.flags |= MATERIAL_TRANSMITS;
     material.eta = eta;
-    scene.materials.push_back({name, material});
+    reading.scene.materials.push_back({name, material, fmt::format("{}:{}", reading.scene.file, reading.tokens.line())});
 }
 
 /// Ends the run of polygons, so that primitives stay in the order of the file.
@@ -63,7 +63,7 @@ void finish_mesh(Reading &reading) {
 
 /// The material of the object that follows: the last one.
 uint object_material(Reading &reading) {
-    if (reading.scene.materials.empty()) add_material(reading.scene, "default", Spectrum(0.5f), 1, 0, 1, 0, 1);
+    if (reading.scene.materials.empty()) add_material(reading, "default", Spectrum(0.5f), 1, 0, 1, 0, 1);
     if (reading.materials == 0) ++reading.scene.warnings["object before any material: grey"];
     return uint(reading.scene.materials.size() - 1);
 }
@@ -127,7 +127,7 @@ void read_fill(Reading &reading) {
     const float shine = tokens.not_negative("shine of a material"), t = tokens.not_negative("T of a material");
     const float eta = tokens.not_negative("index of refraction");
     if (t > 0 && eta == 0) tokens.fail("index of refraction: must be positive where T is, got 0");
-    add_material(reading.scene, fmt::format("line {}", line), color, kd, ks, shine, t, eta > 0 ? eta : 1);
+    add_material(reading, fmt::format("line {}", line), color, kd, ks, shine, t, eta > 0 ? eta : 1);
     ++reading.materials;
 }
 

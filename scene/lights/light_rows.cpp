@@ -1,20 +1,16 @@
 #include "scene/lights/light_rows.h"
 
-#include <algorithm>
-
 #include "scene/lights/light.h"
+#include "scene/materials_in_use.h"
 
 namespace brandung {
 namespace {
 
 bool shows_light(const Scene &scene) {
-    const auto is_lit = [&](const auto &shape) { return (scene.materials[shape->material].record.flags & MATERIAL_LIT) != 0; };
-    const auto any_lit = [&](const auto &shapes) { return std::any_of(shapes.begin(), shapes.end(), is_lit); };
-    const auto instance_lit = [&](const PlacedGroup &placed) {
-        return placed.material != NO_MATERIAL ? (scene.materials[placed.material].record.flags & MATERIAL_LIT) != 0
-                                              : any_lit(scene.groups[placed.group].shapes);
-    };
-    return any_lit(scene.shapes) || std::any_of(scene.instances.begin(), scene.instances.end(), instance_lit);
+    const std::vector<bool> used = materials_in_use(scene);
+    for (std::size_t m = 0; m < used.size(); ++m)
+        if (used[m] && (scene.materials[m].record.flags & MATERIAL_LIT) != 0) return true;
+    return false;
 }
 
 }  // namespace

@@ -74,11 +74,11 @@ std::vector<MeshPart> read_mesh_file(const std::string &file, const MaterialPref
     return reader_of(file)(file, prefix, scene, progress);
 }
 
-uint add_material(Scene &scene, const std::string &name, const Material &material) {
-    const auto same_name = [&](const NamedMaterial &known) { return known.name == name; };
+uint add_material(Scene &scene, const NamedMaterial &material) {
+    const auto same_name = [&](const NamedMaterial &known) { return known.name == material.name; };
     const auto known = std::find_if(scene.materials.begin(), scene.materials.end(), same_name);
     const uint number = uint(known - scene.materials.begin());
-    if (known == scene.materials.end()) scene.materials.push_back({name, material});
+    if (known == scene.materials.end()) scene.materials.push_back(material);
     return number;
 }
 

@@ -30,7 +30,7 @@ std::vector<MeshPart> read_mesh_file(const std::string &file, const MaterialPref
 /// Throws SceneError if the file cannot be read, or its extension is none of the two.
 void check_mesh_file(const std::string &file);
 
-/// The place in the scene of the material `name`; it is made of `material` if it is not there yet.
-uint add_material(Scene &scene, const std::string &name, const Material &material);
+/// The number in the scene of the material of this name; it is added if there is none yet.
+uint add_material(Scene &scene, const NamedMaterial &material);
 
 }  // namespace brandung

@@ -1,29 +1,31 @@
 /// The statements of material libraries.
 #include "scene/meshes/mtl.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
-#include <set>
 
 #include "scene/formats/tokens.h"
+#include "scene/warnings.h"
 
 namespace brandung {
 namespace {
 
 struct Reading {
     Tokens tokens;
-    std::map<std::string, uint> &warnings;
+    Scene &scene;
     std::vector<MtlMaterial> materials;
 
     MtlMaterial &material() { return materials.back(); }
+    void warn(const std::string &text) { ++scene.warnings[text]; }
 };
 
 /// One value for all three parts, or three.
 void read_color(Reading &reading, std::optional<Spectrum> &color) {
     Tokens &tokens = reading.tokens;
     if (!tokens.at_number_on_line()) {  // "spectral FILE" and "xyz X Y Z"
-        ++reading.warnings["material with a colour that is not three numbers: not used"];
+        reading.warn("material with a colour that is not three numbers: not used");
         return tokens.skip_line();
     }
     Spectrum value(tokens.not_negative("colour of a material"));
@@ -68,38 +70,40 @@ void read_statement(Reading &reading, const std::string &key) {
     if (key == "pr") return read_number(reading, material.roughness);
     if (key == "pm") return read_number(reading, material.metallic);
     if (key == "illum") return read_illum(reading);
-    if (key == "map_kd") return void(material.map_kd = read_mtl_texture(tokens.rest_of_line(), reading.warnings));
-    if (key == "map_ks") return void(material.map_ks = read_mtl_texture(tokens.rest_of_line(), reading.warnings));
+    if (key == "map_kd") return void(material.map_kd = read_mtl_texture(tokens.rest_of_line(), reading.scene.warnings));
+    if (key == "map_ks") return void(material.map_ks = read_mtl_texture(tokens.rest_of_line(), reading.scene.warnings));
     tokens.skip_line();
     if (is_one_of(key, {"ka", "map_ka"})) return;
     if (is_left_out(key))
-        ++reading.warnings["material statement that Whitted's surface has nothing for (" + key + "): not used"];
+        reading.warn("material statement that Whitted's surface has nothing for (" + key + "): not used");
     else
-        ++reading.warnings["unknown material statement: not used"];
+        reading.warn("unknown material statement: not used");
 }
 
 }  // namespace
 
-std::vector<MtlMaterial> read_mtl(const std::string &file, std::map<std::string, uint> &warnings) {
-    Reading reading{Tokens(file), warnings, {}};
+std::vector<MtlMaterial> read_mtl(const std::string &file, Scene &scene) {
+    Reading reading{Tokens(file), scene, {}};
     Tokens &tokens = reading.tokens;
     while (!tokens.at_end()) {
         std::string key(tokens.word());
+        const uint line = tokens.line();
         std::transform(key.begin(), key.end(), key.begin(), [](unsigned char c) { return std::tolower(c); });
         if (key == "newmtl") {
             MtlMaterial &material = reading.materials.emplace_back();
             material.name = tokens.rest_of_line();
-            material.folder = std::filesystem::path(file).parent_path().string();
+            material.file = file, material.line = line;
         } else if (reading.materials.empty()) {
-            ++warnings["material statement before any newmtl: not used"];
+            reading.warn("material statement before any newmtl: not used");
             tokens.skip_line();
         } else {
             read_statement(reading, key);
         }
         if (!tokens.at_line_end()) {
-            ++warnings["material statement with more on its line than it takes: the rest is not used"];
+            reading.warn("material statement with more on its line than it takes: the rest is not used");
             tokens.skip_line();
         }
+        place_warnings(scene, [&] { return fmt::format("{}:{}", file, line); });
     }
     return std::move(reading.materials);
 }

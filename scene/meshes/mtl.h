@@ -18,11 +18,12 @@ struct MtlMaterial {
     std::optional<float> roughness, metallic;  ///< Pr and Pm
     std::optional<int64> illum;
     MtlTexture map_kd, map_ks;
-    std::string folder;  ///< of the library, from which textures are found
+    std::string file;  ///< the library, from whose folder textures are found
+    uint line = 0;     ///< of its name
 };
 
-/// In the order of the file. Throws SceneError `file:line: why`; what cannot be used is a counted warning.
-std::vector<MtlMaterial> read_mtl(const std::string &file, std::map<std::string, uint> &warnings);
+/// In the order of the file. Throws SceneError `file:line: why`; what cannot be used is a counted warning of the scene.
+std::vector<MtlMaterial> read_mtl(const std::string &file, Scene &scene);
 
 /// Whitted's surface for a material, by the table in scene/formats/GUIDE.md; `warnings` counts what is doubtful. Beyond the table: colours are linear
 /// Rec. 709; Ka is often 0 or that of a light; of `d` and `Tr`, d counts; grey Tf below 0.5 is opacity, as 3ds Max writes it, by which transmission

@@ -23,6 +23,12 @@ namespace fs = std::filesystem;
 
 constexpr uint lines_between_reports = 1u << 14;
 
+/// A name that faces have been given.
+struct UsedMaterial {
+    uint number;  ///< in the order of first uses
+    uint line;    ///< of the first
+};
+
 /// What has been read so far. Faces name vertices by number, so that what they name is kept whole.
 struct Reading {
     Reading(const std::string &file, const MaterialPrefix &prefix, Scene &scene) : file(file), prefix(prefix), tokens(file), scene(scene) {}
@@ -34,7 +40,7 @@ struct Reading {
     MeshTables tables;
     MeshBuilder builder{tables};
     std::string group, object;
-    std::map<std::string, uint> materials;  ///< numbers by name, in the order of their first use
+    std::map<std::string, UsedMaterial> materials;  ///< by name
     std::map<std::string, MtlMaterial> mtl_materials;
     std::vector<MeshVertex> corners;  ///< of a face
 };
@@ -155,8 +161,9 @@ void read_smoothing(Reading &reading) {
 }
 
 void read_material(Reading &reading) {
-    const auto known = reading.materials.emplace(reading.tokens.rest_of_line(), uint(reading.materials.size())).first;
-    reading.builder.set_material(known->second);
+    const UsedMaterial next{uint(reading.materials.size()), reading.tokens.line()};
+    const auto known = reading.materials.emplace(reading.tokens.rest_of_line(), next).first;
+    reading.builder.set_material(known->second.number);
 }
 
 /// Names of libraries, with a backslash before each of their blanks, or none before those of a single one.
@@ -190,9 +197,7 @@ void read_library(Reading &reading) {
         place_warnings(reading.scene, [&] { return fmt::format("{}:{}", reading.file, line); });
         reading.scene.files.push_back(path.string());
         // Of several materials of one name the first counts.
-        for (MtlMaterial &material : read_mtl(path.string(), reading.scene.warnings))
-            reading.mtl_materials.emplace(material.name, std::move(material));
-        place_warnings(reading.scene, [&] { return path.string(); });
+        for (MtlMaterial &material : read_mtl(path.string(), reading.scene)) reading.mtl_materials.emplace(material.name, std::move(material));
     }
 }
 
@@ -254,12 +259,12 @@ const MtlMaterial *find_material(const std::map<std::string, MtlMaterial> &libra
     return nullptr;
 }
 
-/// As Material has it. Files that were written on Windows have backslashes between folders.
-uint texture(Scene &scene, const fs::path &folder, const MtlTexture &texture) {
+/// As Material has it; `library` is the file that names it. Files that were written on Windows have backslashes between folders.
+uint texture(Scene &scene, const fs::path &library, const MtlTexture &texture) {
     std::string name = texture.file;
     std::replace(name.begin(), name.end(), '\\', '/');
-    return name.empty() ? 0
-                        : add_texture(scene, (folder / name).string(), {texture.clamps ? TextureWrap::clamp : TextureWrap::repeat, texture.encoding});
+    if (name.empty()) return 0;
+    return add_texture(scene, (library.parent_path() / name).string(), {texture.clamps ? TextureWrap::clamp : TextureWrap::repeat, texture.encoding});
 }
 
 /// Of a material's textures the one by which its meshes' texture coordinates are changed: they have one set of them.
@@ -270,32 +275,43 @@ void place_textures(const MtlTexture &texture, std::vector<vec2> &uvs) {
     for (vec2 &uv : uvs) uv = texture.scale * uv + texture.offset;
 }
 
-/// The scene's number of the material `name`, which is `found` in a library, if in any.
-uint scene_material(const Reading &reading, const std::string &name, const MtlMaterial *found) {
-    std::map<std::string, uint> &warnings = reading.scene.warnings;
-    if (!found) ++warnings["material that no library has: grey"];
-    if (found && !found->map_ks.file.empty() && !found->map_ks.is_placed_as(placing_texture(*found)))
-        ++warnings["material whose textures have different scales or offsets: those of map_Kd count"];
-    Material material = found ? make_material(*found, warnings) : default_mesh_material(!reading.tables.colors.empty());
-    if (found) material.diffuse_texture = texture(reading.scene, found->folder, found->map_kd);
-    if (found) material.specular_texture = texture(reading.scene, found->folder, found->map_ks);
-    return add_material(reading.scene, *reading.prefix + name, material);
+/// The scene's number of a material of a library.
+uint library_material(const Reading &reading, const std::string &name, const MtlMaterial &mtl) {
+    Scene &scene = reading.scene;
+    if (!mtl.map_ks.file.empty() && !mtl.map_ks.is_placed_as(placing_texture(mtl)))
+        ++scene.warnings["material whose textures have different scales or offsets: those of map_Kd count"];
+    Material material = make_material(mtl, scene.warnings);
+    material.diffuse_texture = texture(scene, mtl.file, mtl.map_kd);
+    material.specular_texture = texture(scene, mtl.file, mtl.map_ks);
+    const std::string place = fmt::format("{}:{}", mtl.file, mtl.line);
+    place_warnings(scene, [&] { return place; });
+    return add_material(scene, {*reading.prefix + name, material, place});
+}
+
+/// The scene's number of a material that is named, but not in any library.
+uint missing_material(const Reading &reading, const std::string &name, uint line) {
+    const std::string place = fmt::format("{}:{}", reading.file, line);
+    ++reading.scene.warnings["material that no library has: grey"];
+    place_warnings(reading.scene, [&] { return place; });
+    return add_material(reading.scene, {*reading.prefix + name, default_mesh_material(!reading.tables.colors.empty()), place});
 }
 
 /// Gives parts, whose materials are the reader's, those of the scene.
 void set_materials(const Reading &reading, std::vector<MeshPart> &parts) {
-    std::vector<const std::string *> names(reading.materials.size());
-    for (const auto &[name, number] : reading.materials) names[number] = &name;
+    std::vector<std::pair<std::string, uint>> uses(reading.materials.size());
+    for (const auto &[name, use] : reading.materials) uses[use.number] = {name, use.line};
     std::map<uint, uint> known;
     for (MeshPart &part : parts) {
-        const bool none = part.material == MeshBuilder::no_material;
-        const MtlMaterial *found = none ? nullptr : find_material(reading.mtl_materials, *names[part.material]);
+        if (part.material == MeshBuilder::no_material) {
+            const Material plain = default_mesh_material(!reading.tables.colors.empty());
+            part.material = add_material(reading.scene, {*reading.prefix + "no material", plain, reading.file});
+            continue;
+        }
+        const auto &[name, line] = uses[part.material];
+        const MtlMaterial *found = find_material(reading.mtl_materials, name);
         if (found) place_textures(placing_texture(*found), part.mesh.uvs);
         const auto [entry, added] = known.emplace(part.material, 0);
-        if (added && none)
-            entry->second = add_material(reading.scene, *reading.prefix + "no material", default_mesh_material(!reading.tables.colors.empty()));
-        else if (added)
-            entry->second = scene_material(reading, *names[part.material], found);
+        if (added) entry->second = found ? library_material(reading, name, *found) : missing_material(reading, name, line);
         part.material = entry->second;
     }
 }

@@ -279,7 +279,7 @@ std::vector<MeshPart> read_ply(const std::string &file, const MaterialPrefix &pr
     const std::string texture = texture_file(header);
     Material material = default_mesh_material(colors || !texture.empty());
     if (!texture.empty()) material.diffuse_texture = add_texture(scene, (std::filesystem::path(file).parent_path() / texture).string());
-    const uint number = add_material(scene, *prefix + "no material", material);
+    const uint number = add_material(scene, {*prefix + "no material", material, file});
     for (MeshPart &part : parts) part.material = number;
     return parts;
 }

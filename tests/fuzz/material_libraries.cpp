@@ -5,8 +5,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
     const std::string file = write_input(data, size, ".mtl");
     try {
-        std::map<std::string, uint> warnings;
-        for (const brandung::MtlMaterial &material : brandung::read_mtl(file, warnings)) brandung::make_material(material, warnings);
+        brandung::Scene scene;
+        for (const brandung::MtlMaterial &material : brandung::read_mtl(file, scene)) brandung::make_material(material, scene.warnings);
     } catch (const brandung::SceneError &) {
     }
     return 0;

@@ -211,5 +211,5 @@ TEST(BadFile, ASceneWithoutObjectsIsBackground) {
         folder.write("scene.json", R"({"film": {"width": 8, "height": 8}, "background": 1, "camera": {"from": [0,0,3], "at": [0,0,0]}})");
     const Finished run = run_program({"render", scene, "-o", folder.path("out.png"), "--quiet"});
     EXPECT_EQ(run.status, 0) << run.err;
-    EXPECT_EQ(run.err, "warning: the scene has no objects\n");
+    EXPECT_EQ(run.err, "warning: the scene has no objects (" + scene + ")\n");
 }

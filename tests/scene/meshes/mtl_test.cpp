@@ -11,8 +11,8 @@ class Mtl : public testing::Test {
 protected:
     /// The one material of a library with these statements.
     MtlMaterial read(const std::string &statements) {
-        warnings.clear();
-        const auto materials = read_mtl(folder.write("one.mtl", "newmtl one\n" + statements), warnings);
+        scene = {};
+        const auto materials = read_mtl(folder.write("one.mtl", "newmtl one\n" + statements), scene);
         return materials.at(0);
     }
     Material material(const std::string &statements) { return make_material(read(statements), warnings); }
@@ -28,7 +28,8 @@ protected:
     }
 
     MeshFolder folder;
-    std::map<std::string, uint> warnings;
+    Scene scene;
+    std::map<std::string, uint> &warnings = scene.warnings;
 };
 
 TEST_F(Mtl, ColoursAndHighlights) {
@@ -181,9 +182,9 @@ TEST_F(Mtl, WhatIsNotUsedIsCounted) {
                                                      {"unknown material statement: not used", 1},
                                                      {"material with a colour that is not three numbers: not used", 1},
                                                      {"material statement with more on its line than it takes: the rest is not used", 1}}));
-    std::map<std::string, uint> early;
+    Scene early;
     EXPECT_TRUE(read_mtl(folder.write("early.mtl", "Kd 1 1 1\n"), early).empty());
-    EXPECT_EQ(early.at("material statement before any newmtl: not used"), 1u);
+    EXPECT_EQ(early.warnings.at("material statement before any newmtl: not used"), 1u);
 }
 
 TEST_F(Mtl, WhatMakesNoSenseIsAnErrorWithItsLine) {

@@ -1,0 +1,12 @@
+/// Which materials something of a scene has.
+#pragma once
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace brandung {
+
+/// By material: whether something that is seen has it, in the world or in an instance.
+std::vector<bool> materials_in_use(const Scene &scene);
+
+}  // namespace brandung
