@@ -96,14 +96,22 @@ void read_groups(const Parameters &root, const std::vector<std::string> &materia
     }
 }
 
-/// The materials that the eye is in.
+std::string transparent_materials(const Scene &scene) {
+    std::string names;
+    for (const NamedMaterial &material : scene.materials)
+        if (material.record.flags & MATERIAL_TRANSMITS) names += (names.empty() ? "" : ", ") + material.name;
+    return names.empty() ? "none is transparent" : "transparent: " + names;
+}
+
+/// The materials that the eye is in, also those that files of meshes have brought along.
 std::vector<std::string> read_inside(const Parameters &parameters, const Scene &scene) {
     std::vector<std::string> names = parameters.texts("inside");
     for (const std::string &name : names) {
         const auto same_name = [&](const NamedMaterial &material) { return material.name == name; };
         const auto found = std::find_if(scene.materials.begin(), scene.materials.end(), same_name);
-        if (found == scene.materials.end()) parameters.fail("inside", "there is no material \"" + name + "\"");
-        if (!(found->record.flags & MATERIAL_TRANSMITS)) parameters.fail("inside", "material \"" + name + "\" is not transparent");
+        if (found == scene.materials.end()) parameters.fail("inside", "there is no material \"" + name + "\"; " + transparent_materials(scene));
+        if (!(found->record.flags & MATERIAL_TRANSMITS))
+            parameters.fail("inside", "material \"" + name + "\" is not transparent; " + transparent_materials(scene));
     }
     return names;
 }

@@ -8,6 +8,7 @@
 #include "scene/bsdfs/bsdf.h"
 #include "tests/images/oracle.h"
 #include "tests/images/seen_scenes.h"
+#include "tests/scene/meshes/mesh_folder.h"
 #include "tests/support/rendering.h"
 #include "tests/support/scenes.h"
 
@@ -301,4 +302,33 @@ TEST(NestedGlass, TheEyeMayBeInTheGlass) {
         Real part = 1;
         return part * test.floor_radiance(through_level(eye, -1, 1.5f, 1, part)) * 1.0L;
     });
+}
+
+/// A material that a file of meshes has brought along is named as the scene names it, and is no other than the scene's own.
+TEST(NestedGlass, TheEyeMayBeInTheGlassOfAMeshFile) {
+    const MeshFolder folder;
+    folder.write("box.mtl", "newmtl clear\nKd 0 0 0\nNi 1.5\nillum 7\n");
+    folder.write("box.obj",
+                 "mtllib box.mtl\nusemtl clear\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+                 "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 1 5 8 4\n");
+    const auto hash = [&](const std::string &inside, const std::string &material) {
+        const std::string file = folder.write(
+            "scene.json",
+            R"({"film": {"width": 24, "height": 24}, "background": [0.3, 0.5, 0.9], "camera": {"from": [0, 0, 0.5], "at": [0.2, 0.1, -1], )" +
+                inside + R"("fov": 90}, "materials": [{"name": "lamp", "type": "whitted", "diffuse": 0, "emission": [1, 2, 3]},
+{"name": "own", "type": "whitted", "diffuse": 0, "reflection": 1, "transmission": 1, "fresnel": true, "eta": 1.5, "exponent": 50}],
+"objects": [{"type": "sphere", "material": "lamp", "center": [0, 0, -4], "radius": 1}, {"type": "mesh", )" +
+                material + R"("file": "box.obj"}]})");
+        return film_hash(render_scene(read_scene(file)).film);
+    };
+    const std::uint64_t own = hash(R"("inside": ["own"], )", R"("material": "own", )");
+    EXPECT_EQ(hash(R"("inside": ["box.obj:clear"], )", ""), own);
+    EXPECT_NE(hash("", ""), own) << "the eye is in it";
+    try {
+        hash(R"("inside": ["box.obj:clear"], )", R"("material": "own", )");
+        FAIL() << "nothing has it";
+    } catch (const SceneError &error) {
+        EXPECT_NE(std::string(error.what()).find("/camera/inside: there is no material \"box.obj:clear\"; transparent: own"), std::string::npos)
+            << error.what();
+    }
 }

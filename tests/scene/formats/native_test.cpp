@@ -223,8 +223,8 @@ TEST(Native, RefusesBadCameras) {
     EXPECT_EQ(error_of(changed("[0, 2, 0]", "[0, 0, 0]")), ":7: /camera/up: must not be zero");
     EXPECT_EQ(error_of(changed("90", "180")), ":7: /camera/fov: must be below 180 degrees, got 180");
     EXPECT_EQ(error_of(changed("90", "0")), ":7: /camera/fov: must be positive, got 0");
-    EXPECT_EQ(error_of(changed("[\"water\"]", "[\"wine\"]")), ":7: /camera/inside: there is no material \"wine\"");
-    EXPECT_EQ(error_of(changed("[\"water\"]", "[\"grey\"]")), ":7: /camera/inside: material \"grey\" is not transparent");
+    EXPECT_EQ(error_of(changed("[\"water\"]", "[\"wine\"]")), ":7: /camera/inside: there is no material \"wine\"; transparent: water");
+    EXPECT_EQ(error_of(changed("[\"water\"]", "[\"grey\"]")), ":7: /camera/inside: material \"grey\" is not transparent; transparent: water");
     EXPECT_EQ(
         error_of(
             "{\"cameras\": [{\"name\": \"a\", \"from\": [1, 0, 0], \"at\": [0, 0, 0]},\n{\"name\": \"a\", \"from\": [1, 0, 0], \"at\": [0, 0, 0]}]}"),
