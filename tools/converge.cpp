@@ -39,23 +39,31 @@ struct Reference {
     std::optional<double> noise;
 };
 
+/// Before anything was measured.
 struct Interrupted {};
 
-/// Says what is rendered, and ends the program where it is interrupted: half a ladder is none.
+void check_interruption() {
+    if (is_interrupted()) throw Interrupted();
+}
+
+/// Says what is rendered, and ends a render where the program is interrupted.
 class Teller {
 public:
-    explicit Teller(bool quiet) : line_(quiet) {}
+    explicit Teller(bool quiet) : quiet_(quiet), line_(quiet) {}
     std::function<bool(const RenderProgress &)> observer(const std::string &what) {
         return [this, what](const RenderProgress &progress) {
             line_.say(fmt::format("{}: {:.0f} %", what, 100 * progress.part));
             return !is_interrupted();
         };
     }
-    void check() const {
-        if (is_interrupted()) throw Interrupted();
+    /// A line that stays.
+    void note(const std::string &text) {
+        line_.clear();
+        if (!quiet_) fmt::print(stderr, "{}\n", text);
     }
 
 private:
+    bool quiet_;
     ProgressLine line_;
 };
 
@@ -64,28 +72,38 @@ Reference make_reference(const Options &options, Climber &climber, Teller &telle
     const uint last = options.rungs.samples.empty() ? 0 : options.rungs.samples.back();
     if (last == 0 && !options.reference_spp) throw CLI::ValidationError("--reference-spp", "needed for --reference auto with --times");
     const uint spp = options.reference_spp.value_or(std::min(last, max_samples / reference_factor) * reference_factor);
-    Climber::Result result = climber.render(spp, reference_seed, {}, teller.observer(fmt::format("reference of {} spp", spp)));
-    teller.check();
+    teller.note(fmt::format("reference: {} spp of {}", spp, climber.name()));
+    Climber::Result result = climber.render(spp, reference_seed, {}, teller.observer("reference"));
+    check_interruption();
     return {std::move(result.picture), fmt::format("{} spp of {}", spp, climber.name()),
             result.noise ? std::optional(result.noise->relmse) : std::nullopt};
 }
 
-/// Rungs one after another, and on each every way with every seed, so that all share what else the machine does.
+/// One picture of one way, and its errors; nothing if that is interrupted.
+std::optional<Run> run_once(const Options &options, Climber &climber, std::size_t rung, uint seed, const Picture &reference, Teller &teller) {
+    const bool by_time = options.rungs.samples.empty();
+    const auto observe = teller.observer(
+        fmt::format("{}, rung {} of {}, repetition {} of {}", climber.name(), rung + 1, options.rungs.count(), seed + 1, options.seeds));
+    const StopRules stop{.error = {}, .seconds = by_time ? std::optional(options.rungs.seconds[rung]) : std::nullopt};
+    const uint random = options.seed.value_or(1) + seed + options.seeds * static_cast<uint>(rung);
+    const Climber::Result result = climber.render(by_time ? max_samples : options.rungs.samples[rung], random, stop, observe);
+    if (is_interrupted()) return std::nullopt;
+    return Run{rung, random, result.samples, result.seconds, errors_of(result.picture, reference)};
+}
+
+/// Rungs one after another, and on each every way with every seed, so that all share what else the machine does; until the program is interrupted.
 std::vector<Series> climb(const Options &options, std::vector<std::unique_ptr<Climber>> &climbers, const Picture &reference, Teller &teller) {
     std::vector<Series> all;
     for (const auto &climber : climbers) all.push_back({climber->name(), {}});
-    const bool by_time = options.rungs.samples.empty();
-    for (std::size_t rung = 0; rung < options.rungs.count(); ++rung)
+    for (std::size_t rung = 0; rung < options.rungs.count(); ++rung) {
         for (uint seed = 0; seed < options.seeds; ++seed)
             for (std::size_t i = 0; i < climbers.size(); ++i) {
-                const auto observe = teller.observer(fmt::format("{}, rung {} of {}, repetition {} of {}", climbers[i]->name(), rung + 1,
-                                                                 options.rungs.count(), seed + 1, options.seeds));
-                const StopRules stop{.error = {}, .seconds = by_time ? std::optional(options.rungs.seconds[rung]) : std::nullopt};
-                const uint random = options.seed.value_or(1) + seed + options.seeds * static_cast<uint>(rung);
-                const Climber::Result result = climbers[i]->render(by_time ? max_samples : options.rungs.samples[rung], random, stop, observe);
-                teller.check();
-                all[i].runs.push_back({rung, random, result.samples, result.seconds, errors_of(result.picture, reference)});
+                const std::optional<Run> run = run_once(options, *climbers[i], rung, seed, reference, teller);
+                if (!run) return all;
+                all[i].runs.push_back(*run);
             }
+        teller.note(fmt::format("rung {} of {} is measured", rung + 1, options.rungs.count()));
+    }
     return all;
 }
 
@@ -102,7 +120,14 @@ std::pair<std::string, std::string> name_and_folder(const std::string &text) {
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-void run(Options &options) {
+std::size_t count_runs(const std::vector<Series> &all) {
+    std::size_t runs = 0;
+    for (const Series &series : all) runs += series.runs.size();
+    return runs;
+}
+
+/// Whether all was measured that was asked for.
+bool run(Options &options) {
     if (!std::is_sorted(options.rungs.samples.begin(), options.rungs.samples.end()) ||
         !std::is_sorted(options.rungs.seconds.begin(), options.rungs.seconds.end()))
         throw CLI::ValidationError(options.rungs.samples.empty() ? "--times" : "--samples", "must rise");
@@ -118,12 +143,16 @@ void run(Options &options) {
     const Reference reference = make_reference(options, *climbers.front(), teller);
     for (const auto &climber : climbers) {  // kernels are compiled outside of what is timed
         climber->render(2, 0, {}, teller.observer("kernels of " + climber->name()));
-        teller.check();
+        check_interruption();
     }
     Convergence convergence{
         .subject = {options.scene, climbers.front()->job().device.info().name, reference.name, window.width(), window.height(), reference.noise},
         .series = climb(options, climbers, reference.picture, teller),
-        .summaries = {}};
+        .summaries = {},
+        .runs_total = options.rungs.count() * options.seeds * climbers.size()};
+    convergence.runs_done = count_runs(convergence.series);
+    if (convergence.runs_done == 0) throw Interrupted();
+    std::erase_if(convergence.series, [](const Series &series) { return series.runs.empty(); });
     for (const std::string &foreign : options.foreign) {
         const auto [name, folder] = name_and_folder(foreign);
         convergence.series.push_back(read_foreign_series(name, folder, reference.picture));
@@ -133,6 +162,7 @@ void run(Options &options) {
     if (!options.html.empty()) write_text(options.html, convergence_page(convergence));
     if (!options.csv.empty()) write_text(options.csv, convergence_csv(convergence));
     print_result(options.as_json ? convergence_json(convergence).dump(2) + "\n" : convergence_text(convergence));
+    return !convergence.interrupted();
 }
 
 }  // namespace
@@ -175,11 +205,11 @@ void add_converge(CLI::App &app, int &status) {
     command->add_flag("--quiet", options->quiet, "no progress");
     command->callback([options, &status] {
         try {
-            run(*options);
+            if (run(*options)) return;
         } catch (const Interrupted &) {
-            fmt::print(stderr, "interrupted: nothing was written\n");
-            status = interrupted_status;
+            fmt::print(stderr, "interrupted: nothing was measured, and nothing is written\n");
         }
+        status = interrupted_status;
     });
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "tests/tools/runs.h"
@@ -18,6 +19,13 @@ Finished converge(const TemporaryFolder &folder, const std::vector<std::string> 
     return run_program(arguments);
 }
 
+/// The same with a reference of its own, interrupted as soon as it has said `line`.
+Finished interrupted_converge(const TemporaryFolder &folder, const std::string &line, const std::vector<std::string> &more) {
+    std::vector<std::string> arguments = {"converge", folder.write("scene.json", native_scene()), "--size", "24x16", "--reference", "auto"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(arguments, {.signal_when = [&](const std::string &err) { return err.find(line) != std::string::npos ? SIGINT : 0; }});
+}
+
 }  // namespace
 
 TEST(CliConverge, FollowsTheErrorOfEverySeries) {
@@ -28,6 +36,7 @@ TEST(CliConverge, FollowsTheErrorOfEverySeries) {
     expect_success(run);
     const json result = json::parse(run.out);
     ASSERT_EQ(result.at("series").size(), 2u);
+    EXPECT_EQ(result.at("interrupted"), false);
     EXPECT_GT(result.at("reference_noise"), 0);
     for (const json &series : result.at("series")) {
         ASSERT_EQ(series.at("rungs").size(), 3u);
@@ -49,6 +58,38 @@ TEST(CliConverge, FollowsTheErrorOfEverySeries) {
     for (const char *outside : {"src=", "href=", "http://www.w3.org/2000/svg\" rel", "@import", "fetch("})
         EXPECT_EQ(html.find(outside), std::string::npos);
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 18);
+}
+
+/// A second rung of hours, interrupted once the first is measured.
+TEST(CliConverge, InterruptedReportsWhatWasMeasured) {
+    const TemporaryFolder folder;
+    const std::string page = folder.path("page.html"), csv = folder.path("runs.csv");
+    const Finished run = interrupted_converge(folder, "rung 1 of 2 is measured\n",
+                                              {"--samples", "2,16777216", "--seeds", "3", "--reference-spp", "16", "--vary",
+                                               "film.sampler=sobol,independent", "--html", page, "--csv", csv, "--json"});
+    EXPECT_EQ(run.status, 130) << "signal " << run.signal << run.err;
+    const json result = json::parse(run.out);
+    EXPECT_EQ(result.at("interrupted"), true);
+    EXPECT_EQ(result.at("runs_done"), 6);
+    EXPECT_EQ(result.at("runs_total"), 12);
+    ASSERT_EQ(result.at("series").size(), 2u);
+    for (const json &series : result.at("series")) {
+        ASSERT_EQ(series.at("rungs").size(), 1u);
+        EXPECT_EQ(series.at("rungs")[0].at("runs"), 3);
+    }
+    const std::string table = read_file(csv), html = read_file(page);
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 6);
+    EXPECT_NE(html.find("\"runs_done\":6"), std::string::npos);
+}
+
+TEST(CliConverge, InterruptedBeforeTheFirstRunWritesNothing) {
+    const TemporaryFolder folder;
+    const Finished run = interrupted_converge(folder, "reference: 16777216 spp of brandung\n",
+                                              {"--samples", "2", "--reference-spp", "16777216", "--csv", folder.path("runs.csv"), "--json"});
+    EXPECT_EQ(run.status, 130) << "signal " << run.signal << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"scene.json"});
+    EXPECT_NE(run.err.find("interrupted: nothing was measured, and nothing is written\n"), std::string::npos) << run.err;
 }
 
 /// The pictures of another program are measured against the same reference: it is given here, and one of them is itself.

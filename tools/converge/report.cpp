@@ -59,10 +59,17 @@ std::string csv_field(const std::string &text) { return text.find(',') == std::s
 
 json convergence_json(const Convergence &convergence) {
     const Subject &subject = convergence.subject;
-    json all = {{"scene", subject.scene},          {"device", subject.device},
-                {"width", subject.width},          {"height", subject.height},
-                {"reference", subject.reference},  {"reference_noise", subject.reference_noise ? json(*subject.reference_noise) : json()},
-                {"measures", followed_measures()}, {"series", json::array()}};
+    json all = {{"scene", subject.scene},
+                {"device", subject.device},
+                {"width", subject.width},
+                {"height", subject.height},
+                {"reference", subject.reference},
+                {"reference_noise", subject.reference_noise ? json(*subject.reference_noise) : json()},
+                {"interrupted", convergence.interrupted()},
+                {"runs_done", convergence.runs_done},
+                {"runs_total", convergence.runs_total},
+                {"measures", followed_measures()},
+                {"series", json::array()}};
     for (std::size_t i = 0; i < convergence.series.size(); ++i) {
         const Summary &summary = convergence.summaries[i];
         all["series"].push_back({{"name", convergence.series[i].name},
@@ -91,6 +98,7 @@ std::string convergence_text(const Convergence &convergence) {
     std::string text =
         fmt::format("{}, {} x {} pixels, on {}\nreference: {}", subject.scene, subject.width, subject.height, subject.device, subject.reference);
     if (subject.reference_noise) text += fmt::format(", of noise {:.3g} (relMSE)", *subject.reference_noise);
+    if (convergence.interrupted()) text += fmt::format("\ninterrupted: {} of {} runs", convergence.runs_done, convergence.runs_total);
     for (std::size_t i = 0; i < convergence.series.size(); ++i) {
         const Summary &summary = convergence.summaries[i];
         text += fmt::format("\n\n{}\n   samples     seconds         mse      relmse        mape        flip\n", convergence.series[i].name);

@@ -16,7 +16,10 @@ struct Subject {
 struct Convergence {
     Subject subject;
     std::vector<Series> series;
-    std::vector<Summary> summaries;  ///< of each
+    std::vector<Summary> summaries;             ///< of each
+    std::size_t runs_done = 0, runs_total = 0;  ///< of the series that were rendered here
+
+    bool interrupted() const { return runs_done < runs_total; }
 };
 
 /// Names are a promise.
