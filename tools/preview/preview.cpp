@@ -79,6 +79,7 @@ void Preview::finish(const RenderEnd &end, Job &job) {
     if (!active()) return;
     state_.phase = end.complete ? PreviewPhase::done : end.failure.empty() ? PreviewPhase::interrupted : PreviewPhase::failed;
     state_.doing = end.failure;
+    state_.progress.noise = end.noise;
     update_counts(job);
     state_.seconds_left.reset();
     take_picture(job.film);

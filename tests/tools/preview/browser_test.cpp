@@ -48,6 +48,7 @@ TEST(Browser, ShowsARenderThatGrows) {
         const std::string url = err.substr(place, end - place);
         const auto state = httplib::Client(url).Get("/state.json");
         if (!state || state->body.find("\"phase\":\"rendering\"") == std::string::npos) return 0;  // kernels are compiled first
+        if (!early.empty() && state->body.find("\"error\":null") != std::string::npos) return 0;   // noise is estimated now and then
         std::string &page = early.empty() ? early : late;
         page = page_after(url, 2500, folder.path("profile"));
         return late.empty() ? 0 : SIGINT;
@@ -69,6 +70,11 @@ TEST(Browser, ShowsARenderThatGrows) {
             EXPECT_NE(page.find(">" + std::string(row) + "</th>"), std::string::npos) << row;
     }
     EXPECT_GT(number_of(text_of(early, "seconds")), 0);
+    std::smatch noise;
+    const std::string noise_text = text_of(late, "noise");
+    ASSERT_TRUE(std::regex_match(noise_text, noise, std::regex("([-0-9.e]+) \\(([-0-9.e]+)–([-0-9.e]+)\\)"))) << noise_text;
+    EXPECT_GT(std::stod(noise[1]), std::stod(noise[2]));
+    EXPECT_LT(std::stod(noise[1]), std::stod(noise[3]));
     for (const char *id : {"samples-speed", "rays-speed"}) EXPECT_GT(number_of(text_of(late, id)), 0) << id << ": " << text_of(late, id);
     const auto value_of_bar = [](const std::string &page) {
         std::smatch found;
