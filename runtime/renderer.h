@@ -19,7 +19,7 @@ struct RenderProgress {
 
 struct RenderOptions {
     uint batch = 32768;    ///< rays per wave
-    WatchSteps on_step{};  ///< of the integrator's loop
+    WatchSteps on_step{};  ///< of the integrator's loop: within batches, where the film is not whole and no observer could stop the render
     StopRules stop{};
 };
 

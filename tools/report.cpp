@@ -21,6 +21,7 @@ std::vector<std::string> features_in_use(const Scene &scene, const CompiledScene
     for (const PrimitiveKind *kind : compiled.primitives) used.push_back(std::string("primitive ") + kind->name);
     for (const uint kind : compiled.bsdfs) used.push_back(std::string("material ") + bsdf_kinds()[kind].name);
     for (const uint kind : compiled.lights) used.push_back(std::string("light ") + light_kinds()[kind].name);
+    if (compiled.emissive_instances) used.push_back("emissive shapes of instances as lights");
     used.push_back("accelerator " + compiled.accelerator);
     used.push_back(std::string("sampler ") + sampler_kinds()[compiled.sampler].name);
     used.push_back(std::string("filter ") + filter_kinds()[compiled.filter].name);
@@ -48,6 +49,9 @@ std::vector<Skipped> kinds_not_in_use(const CompiledScene &compiled) {
     for (uint kind = 0; kind < light_kinds().size(); ++kind)
         if (std::find(compiled.lights.begin(), compiled.lights.end(), kind) == compiled.lights.end())
             skipped.push_back({std::string("light ") + light_kinds()[kind].name, "the scene has none"});
+    if (!compiled.emissive_instances)
+        skipped.push_back(
+            {"emissive shapes of instances as lights", compiled.instance_count == 0 ? "the scene has no instances" : "no light is a shape of one"});
     return skipped;
 }
 
@@ -176,7 +180,7 @@ json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &en
             {"memory", memory(job)},
             {"features", features(job)},
             {"warnings", job.compiled.warnings},
-            {"warning_places", job.scene.warning_places}};
+            {"warning_places", job.compiled.warning_places}};
 }
 
 }  // namespace brandung

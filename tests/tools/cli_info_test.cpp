@@ -143,6 +143,21 @@ TEST(CliInfo, ExplainNamesPicturesColoursAndNormals) {
         EXPECT_NE(all.find(std::string("uses    ") + feature), std::string::npos) << feature << all;
 }
 
+TEST(CliInfo, ExplainSaysThatInstancesShine) {
+    const TemporaryFolder folder;
+    const auto explained = [&](const std::string &emission) {
+        const std::string group =
+            R"("groups": [{"name": "g", "objects": [{"type": "sphere", "material": "grey", "center": [0, 3, 0], "radius": 1}]}],)";
+        const std::string objects = R"({"type": "sphere", "material": "grey", "center": [0, 0, 0], "radius": 1}, {"type": "instance", "group": "g"})";
+        const Finished run =
+            run_program({"info", folder.write("scene.json", native_scene(objects, group)), "--set", "materials.0.emission=" + emission});
+        expect_success(run);
+        return run.out;
+    };
+    EXPECT_NE(explained("1").find("uses    emissive shapes of instances as lights\n"), std::string::npos);
+    EXPECT_NE(explained("0").find("skips   emissive shapes of instances as lights: no light is a shape of one\n"), std::string::npos);
+}
+
 TEST(CliInfo, CheckReportsWithoutADevice) {
     const TemporaryFolder folder;
     const Finished run = run_program({"check", folder.write("scene.json", native_scene())});
