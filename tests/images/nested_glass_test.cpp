@@ -304,7 +304,8 @@ TEST(NestedGlass, TheEyeMayBeInTheGlass) {
     });
 }
 
-/// A material that a file of meshes has brought along is named as the scene names it, and is no other than the scene's own.
+/// A material that a file of meshes has brought along is named as the scene names it, and is no other than the scene's own. A ball
+/// in the glass shows whether the eye is in it too.
 TEST(NestedGlass, TheEyeMayBeInTheGlassOfAMeshFile) {
     const MeshFolder folder;
     folder.write("box.mtl", "newmtl clear\nKd 0 0 0\nNi 1.5\nillum 7\n");
@@ -316,8 +317,10 @@ TEST(NestedGlass, TheEyeMayBeInTheGlassOfAMeshFile) {
             "scene.json",
             R"({"film": {"width": 24, "height": 24}, "background": [0.3, 0.5, 0.9], "camera": {"from": [0, 0, 0.5], "at": [0.2, 0.1, -1], )" +
                 inside + R"("fov": 90}, "materials": [{"name": "lamp", "type": "whitted", "diffuse": 0, "emission": [1, 2, 3]},
-{"name": "own", "type": "whitted", "diffuse": 0, "reflection": 1, "transmission": 1, "fresnel": true, "eta": 1.5, "exponent": 50}],
-"objects": [{"type": "sphere", "material": "lamp", "center": [0, 0, -4], "radius": 1}, {"type": "mesh", )" +
+{"name": "own", "type": "whitted", "diffuse": 0, "reflection": 1, "transmission": 1, "fresnel": true, "eta": 1.5, "exponent": 50},
+{"name": "ball", "type": "whitted", "diffuse": 0, "transmission": 1, "fresnel": true, "eta": 2, "priority": 1}],
+"objects": [{"type": "sphere", "material": "lamp", "center": [0, 0, -4], "radius": 1},
+{"type": "sphere", "material": "ball", "center": [0.1, 0, -0.3], "radius": 0.3}, {"type": "mesh", )" +
                 material + R"("file": "box.obj"}]})");
         return film_hash(render_scene(read_scene(file)).film);
     };
@@ -328,7 +331,7 @@ TEST(NestedGlass, TheEyeMayBeInTheGlassOfAMeshFile) {
         hash(R"("inside": ["box.obj:clear"], )", R"("material": "own", )");
         FAIL() << "nothing has it";
     } catch (const SceneError &error) {
-        EXPECT_NE(std::string(error.what()).find("/camera/inside: there is no material \"box.obj:clear\"; transparent: own"), std::string::npos)
+        EXPECT_NE(std::string(error.what()).find("/camera/inside: there is no material \"box.obj:clear\"; transparent: own, ball"), std::string::npos)
             << error.what();
     }
 }
