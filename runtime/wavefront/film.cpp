@@ -48,11 +48,12 @@ std::vector<vec3> Film::develop() {
 }
 
 std::optional<Noise> Film::noise() const {
-    constexpr std::size_t at_once = 1 << 16;  // pixels that are copied from the device
-    NoiseSums sums;
+    const std::size_t width = window_.width(),
+                      at_once = std::max<std::size_t>((1 << 16) / width, 1) * width;  // pixels that are copied from the device
+    NoiseSums sums(width);
     for (const Band<FilmPixel> &band : bands_)
         for (std::size_t first = 0; first < band.pixels.size(); first += at_once)
-            sums.add(band.pixels.read(first, std::min(at_once, band.pixels.size() - first)));
+            sums.add_rows(band.pixels.read(first, std::min(at_once, band.pixels.size() - first)));
     return sums.noise();
 }
 

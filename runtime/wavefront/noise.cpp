@@ -1,122 +1,197 @@
 #include "runtime/wavefront/noise.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "runtime/wavefront/relmse_weight.h"
 
 namespace brandung {
 namespace {
 
 constexpr double unit = 0x1p-32;             ///< of sums; their squares' is its square
-constexpr double darkest = 0.01;             ///< relMSE's weights are 1 / (limit² + this)
 constexpr double two_sided_95 = 1.95996398;  ///< standard deviations
 
 long double value_of(Integer128 x) { return static_cast<long double>(static_cast<std::int64_t>(x.high)) * 0x1p64L + x.low; }
 
-/// Mean of the samples of one half of a pixel, in one channel, and the variance of that mean: 0 where one sample leaves it unknown.
-struct Half {
-    long double count, mean, variance;
-};
-
-Half half_of(const FilmPixel &pixel, std::size_t half, std::size_t c) {
-    const long double n = pixel.counts[half], sum = value_of(pixel.sums[half][c]), squares = value_of(pixel.squares[half][c]);
-    return {n, sum / n * unit, n < 2 ? 0 : std::max((squares - sum * sum / n) / ((n - 1) * n) * (unit * unit), 0.0L)};
-}
-
-/// w(x) = 1 / (x² + 0.01), and half its second derivative.
-struct Weight {
-    explicit Weight(double x) : w(1 / (x * x + darkest)), half_curvature(w * w * (4 * x * x * w - 1)) {}
-    double w, half_curvature;
-};
-
-/// Of one channel of a pixel that has two samples or more; D², S, X and Y of NoiseSums.
-struct Channel {
-    Channel(const Half &a, const Half &b) {
-        const long double n = a.count + b.count, a_share = a.count / n, b_share = b.count / n, difference = a.mean - b.mean;
-        weight = Weight(static_cast<double>(a_share * a.mean + b_share * b.mean));
-        halves = static_cast<double>(difference * difference * a_share * b_share);
-        const double of_a = static_cast<double>(a_share * a_share * a.variance), of_b = static_cast<double>(b_share * b_share * b.variance);
-        const Weight at_a(static_cast<double>(a.mean)), at_b(static_cast<double>(b.mean));
-        squares = of_a + of_b;
-        crossed = of_a * at_b.w + of_b * at_a.w;
-        curvature = of_a * at_b.half_curvature * static_cast<double>(b.variance) + of_b * at_a.half_curvature * static_cast<double>(a.variance);
-    }
-    Weight weight{0};
-    double halves, squares, crossed, curvature;
-};
-
-bool has_two_samples(const FilmPixel &pixel) { return pixel.counts[0] > 0 && pixel.counts[1] > 0; }
-bool has_variances(const FilmPixel &pixel) { return pixel.counts[0] > 1 && pixel.counts[1] > 1; }
-
 /// `value` less `correction`, which is much smaller unless there is too much noise to tell; never below 0.
 double corrected(double value, double correction) { return correction > 0 && value > 0 ? value / (1 + correction / value) : value - correction; }
 
-}  // namespace
-
-void NoiseSums::add_pixel(const FilmPixel &pixel) {
-    if (!has_two_samples(pixel)) return;
-    double halves = 0, squares = 0, curvature = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-        const Channel channel(half_of(pixel, 0, c), half_of(pixel, 1, c));
-        halves += channel.halves * channel.weight.w / 3, squares += channel.squares * channel.weight.w / 3;
-        crossed_ += channel.crossed / 3, curvature_ += channel.curvature / 3;
-        curvature += channel.halves * channel.halves * channel.weight.half_curvature / 9;
+/// A pixel of a picture's rows, and the up to eight about it.
+class Neighbourhood {
+public:
+    Neighbourhood(std::span<const PixelHalves> rows, std::size_t width, std::size_t index) : pixel(rows[index]) {
+        const std::size_t x = index % width, y = index / width, left = x > 0 ? x - 1 : 0, right = std::min(x + 1, width - 1);
+        for (std::size_t row = y > 0 ? y - 1 : 0; row <= std::min(y + 1, rows.size() / width - 1); ++row)
+            for (std::size_t column = left; column <= right; ++column) all_[count_++] = &rows[row * width + column];
     }
-    ++pixels_;
-    if (!has_variances(pixel)) {
-        few_ += corrected(halves, curvature);
-        fourth_of_few_ += halves * halves / 2;
+    /// Of the means of a half, in one channel.
+    ValueRange range(std::size_t half, std::size_t c) const {
+        ValueRange range{std::abs(pixel.means[half][c]), std::abs(pixel.means[half][c])};
+        for (const PixelHalves *near : std::span(all_).first(count_))
+            if (near->counts[half] > 0) range.include(near->means[half][c]);
+        return range;
+    }
+
+    const PixelHalves &pixel;
+
+private:
+    std::array<const PixelHalves *, 9> all_;
+    std::size_t count_ = 0;
+};
+
+/// What one channel of a pixel adds to the terms of NoiseSums.
+struct ChannelTerms {
+    double halves, squares, crossed = 0, curvature = 0, mixed = 0;
+};
+
+/// S_A w(B) / 4 and its curvature, A being `half`; `squares`: S_A / 4.
+void add_crossed(const Neighbourhood &pixels, std::size_t half, std::size_t c, double squares, ChannelTerms &terms) {
+    if (squares == 0) return;
+    const PixelHalves &pixel = pixels.pixel;
+    const std::size_t other = 1 - half;
+    const double mean = pixel.means[other][c];
+    const Mixture mixture{pixels.range(other, c), std::abs(mean), pixel.counts[other]};
+    if (mixture.is_open() &&
+        Mixture::is_of_ends(mixture.range, std::abs(pixel.means[half][c]), pixel.variances[half][c] * (pixel.counts[half] - 1))) {
+        const double mixed = squares * mixture.weight();
+        terms.crossed += mixed, terms.mixed += mixed;
         return;
     }
-    const double n = static_cast<double>(pixel.counts[0]) + pixel.counts[1], factor = (n - 2) / (2 * (n - 3));
-    halves_ += halves, squares_ += squares;
-    halves_squared_ += halves * halves;
-    fourth_of_halves_ += factor * halves * halves, fourth_of_squares_ += factor * squares * squares;
+    const RelmseWeight weight(mean);
+    terms.crossed += squares * weight.w, terms.curvature += squares * weight.half_curvature * pixel.variances[other][c];
 }
 
-void NoiseSums::add(std::span<const FilmPixel> pixels) {
+/// Of a pixel that has two samples or more in either half.
+ChannelTerms channel_terms(const Neighbourhood &pixels, std::size_t c) {
+    const PixelHalves &pixel = pixels.pixel;
+    const RelmseWeight weight(pixel.mean(c));
+    ChannelTerms terms{pixel.squared_error_by_halves(c) * weight.w, pixel.squared_error_by_squares(c) * weight.w};
+    for (const std::size_t half : {0, 1}) add_crossed(pixels, half, c, pixel.share(half) * pixel.share(half) * pixel.variances[half][c], terms);
+    return terms;
+}
+
+/// D² of a pixel that has not, weighed; where nothing is known of its samples' distribution, its mean says nothing of the shares of a mixture.
+double few_terms(const Neighbourhood &pixels, std::size_t c) {
+    const double squared = pixels.pixel.squared_error_by_halves(c);
+    if (squared == 0) return 0;
+    ValueRange range = pixels.range(0, c);
+    const ValueRange of_other_half = pixels.range(1, c);
+    range.include(of_other_half.low), range.include(of_other_half.high);
+    const Mixture mixture{range, range.low, 0};
+    if (mixture.is_open()) return squared * mixture.weight();
+    const RelmseWeight weight(pixels.pixel.mean(c));
+    return corrected(squared * weight.w, squared * squared / 3 * weight.half_curvature);  // E D⁴ = 3 V²
+}
+
+void add_pixel(const Neighbourhood &pixels, NoiseTerms &sums) {
+    const PixelHalves &pixel = pixels.pixel;
+    if (!pixel.has_two_samples()) return;
+    ++sums.pixels;
+    if (!pixel.has_variances()) {
+        const double few = (few_terms(pixels, 0) + few_terms(pixels, 1) + few_terms(pixels, 2)) / 3;
+        sums.few += few, sums.few_squared += few * few;
+        return;
+    }
+    ChannelTerms mean{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const ChannelTerms terms = channel_terms(pixels, c);
+        mean.halves += terms.halves / 3, mean.squares += terms.squares / 3;
+        mean.crossed += terms.crossed / 3, mean.curvature += terms.curvature / 3, mean.mixed += terms.mixed / 3;
+    }
+    const double n = pixel.count(), factor = (n - 2) / (2 * (n - 3));
+    sums.halves += mean.halves, sums.squares += mean.squares, sums.crossed += mean.crossed, sums.curvature += mean.curvature;
+    sums.halves_squared += mean.halves * mean.halves;
+    sums.fourth_of_halves += factor * mean.halves * mean.halves, sums.fourth_of_squares += factor * mean.squares * mean.squares;
+    sums.mixed_squared += mean.mixed * mean.mixed;
+}
+
+/// Of all rows of `rows` from the `first`-th to before the `last`-th; in parallel, the same bits each time.
+NoiseTerms terms_of(std::span<const PixelHalves> rows, std::size_t width, std::size_t first, std::size_t last) {
     using Range = tbb::blocked_range<std::size_t>;
-    const auto sum = [&](const Range &range, NoiseSums sums) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) sums.add_pixel(pixels[i]);
-        return sums;
+    const auto sum = [&](const Range &range, NoiseTerms terms) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) add_pixel(Neighbourhood(rows, width, i), terms);
+        return terms;
     };
-    const auto join = [](NoiseSums a, const NoiseSums &b) {
+    const auto join = [](NoiseTerms a, const NoiseTerms &b) {
         a.add(b);
         return a;
     };
-    add(tbb::parallel_deterministic_reduce(Range(0, pixels.size(), 4096), NoiseSums(), sum, join));
+    return tbb::parallel_deterministic_reduce(Range(first * width, last * width, 1024), NoiseTerms(), sum, join);
 }
 
-void NoiseSums::add(const NoiseSums &other) {
-    pixels_ += other.pixels_;
-    halves_ += other.halves_, squares_ += other.squares_, crossed_ += other.crossed_, curvature_ += other.curvature_;
-    halves_squared_ += other.halves_squared_;
-    fourth_of_halves_ += other.fourth_of_halves_, fourth_of_squares_ += other.fourth_of_squares_;
-    few_ += other.few_, fourth_of_few_ += other.fourth_of_few_;
+}  // namespace
+
+PixelHalves::PixelHalves(const FilmPixel &pixel) {
+    for (const std::size_t half : {0, 1}) {
+        const long double n = counts[half] = pixel.counts[half];
+        for (std::size_t c = 0; c < 3; ++c) {
+            const long double sum = value_of(pixel.sums[half][c]), squares = value_of(pixel.squares[half][c]);
+            means[half][c] = n < 1 ? 0 : static_cast<double>(sum / n * unit);
+            variances[half][c] = n < 2 ? 0 : static_cast<double>(std::max((squares - sum * sum / n) / ((n - 1) * n) * (unit * unit), 0.0L));
+        }
+    }
 }
 
-std::optional<Noise> NoiseSums::noise() const {
-    if (pixels_ == 0) return std::nullopt;
-    const double pixels = static_cast<double>(pixels_), gain = squares_ > 0 ? halves_ / squares_ : 0;
+double PixelHalves::squared_error_by_halves(std::size_t c) const {
+    const double difference = means[0][c] - means[1][c];
+    return difference * difference * share(0) * share(1);
+}
+
+double PixelHalves::squared_error_by_squares(std::size_t c) const {
+    return share(0) * share(0) * variances[0][c] + share(1) * share(1) * variances[1][c];
+}
+
+void NoiseTerms::add(const NoiseTerms &other) {
+    pixels += other.pixels;
+    halves += other.halves, squares += other.squares, crossed += other.crossed, curvature += other.curvature;
+    halves_squared += other.halves_squared, mixed_squared += other.mixed_squared;
+    fourth_of_halves += other.fourth_of_halves, fourth_of_squares += other.fourth_of_squares;
+    few += other.few, few_squared += other.few_squared;
+}
+
+std::optional<Noise> NoiseTerms::noise() const {
+    if (pixels == 0) return std::nullopt;
+    const double gain = squares > 0 ? halves / squares : 0;
     // The squares of stratified samples say little of the kurtosis of D, to which few strata contribute: it is 2.4 for one in either half, in which
     // a sample may see either of two values (1.2 less than 3 on average, for two of them), and comes to 3 with many. In any case it is at least 2,
     // and where it seems above 16 the few samples that make it so are not to be trusted.
-    const double independent = std::min(gain, 1.0), by_squares = fourth_of_halves_ - gain * gain * fourth_of_squares_;
+    const double independent = std::min(gain, 1.0), by_squares = fourth_of_halves - gain * gain * fourth_of_squares;
     const double variances_squared =
-        std::clamp(independent * by_squares + (1 - independent) * halves_squared_ / 2.5, halves_squared_ / 16, halves_squared_ / 2);
-    const double plain = gain * squares_, unbiased = gain * corrected(crossed_, gain * curvature_);
-    // The correction has an error of its own order squared, which counts only where noise is strong.
-    const double doubtful = plain > 0 ? 2 * (unbiased - plain) * (unbiased - plain) / plain : 0;
-    return Noise{(unbiased + few_) / pixels, (two_sided_95 * 2 * std::sqrt(variances_squared + fourth_of_few_) + doubtful + few_) / pixels};
+        std::clamp(independent * by_squares + (1 - independent) * halves_squared / 2.5, halves_squared / 16, halves_squared / 2);
+    const double plain = gain * squares, unbiased = gain * corrected(crossed, gain * curvature), change = std::abs(unbiased - plain);
+    // Where weights make much of a difference they are doubtful themselves: by an error of their change's own order squared, but not beyond it.
+    const double doubtful = plain > 0 ? std::min(2 * change * change / plain, change) : 0;
+    // What mixtures weigh is open by about as much as they add.
+    const double variance = 4 * variances_squared + 4 * gain * gain * mixed_squared + 4 * few_squared, count = static_cast<double>(pixels);
+    return Noise{(unbiased + few) / count, (two_sided_95 * std::sqrt(variance) + doubtful + few) / count};
 }
 
-vec3 standard_error(const FilmPixel &pixel) {
-    if (!has_two_samples(pixel)) return vec3(0);
+void NoiseSums::add_rows(std::span<const FilmPixel> rows) {
+    const std::size_t known = rows_.size();
+    rows_.insert(rows_.end(), rows.size(), PixelHalves(FilmPixel{}));
+    tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t i) { rows_[known + i] = PixelHalves(rows[i]); });
+    const std::size_t count = rows_.size() / width_, first = known / width_ > 1 ? 1 : 0;
+    if (count < 2) return;
+    terms_.add(terms_of(rows_, width_, first, count - 1));
+    rows_.erase(rows_.begin(), rows_.end() - static_cast<std::ptrdiff_t>(2 * width_));
+}
+
+std::optional<Noise> NoiseSums::noise() const {
+    NoiseTerms all = terms_;
+    if (!rows_.empty()) all.add(terms_of(rows_, width_, rows_.size() / width_ - 1, rows_.size() / width_));
+    return all.noise();
+}
+
+vec3 standard_error(const FilmPixel &film_pixel) {
+    const PixelHalves pixel(film_pixel);
+    if (!pixel.has_two_samples()) return vec3(0);
     const auto error = [&](std::size_t c) {
-        const Channel channel(half_of(pixel, 0, c), half_of(pixel, 1, c));
-        return static_cast<float>(std::sqrt(has_variances(pixel) ? channel.squares : channel.halves));
+        return static_cast<float>(std::sqrt(pixel.has_variances() ? pixel.squared_error_by_squares(c) : pixel.squared_error_by_halves(c)));
     };
     return {error(0), error(1), error(2)};
 }

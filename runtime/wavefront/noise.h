@@ -16,7 +16,36 @@ struct Noise {
     double high() const { return relmse + half_width; }
 };
 
-/// Sums over pixels from which Noise follows; they can be added up part by part.
+/// A pixel's two halves of samples: their means, and what their samples say of these means' variances, per channel.
+struct PixelHalves {
+    explicit PixelHalves(const FilmPixel &pixel);
+
+    double count() const { return counts[0] + counts[1]; }
+    double share(std::size_t half) const { return counts[half] / count(); }
+    bool has_two_samples() const { return counts[0] > 0 && counts[1] > 0; }
+    bool has_variances() const { return counts[0] > 1 && counts[1] > 1; }
+    double mean(std::size_t c) const { return share(0) * means[0][c] + share(1) * means[1][c]; }
+    double squared_error_by_halves(std::size_t c) const;   ///< D² of NoiseSums
+    double squared_error_by_squares(std::size_t c) const;  ///< S of NoiseSums
+
+    double counts[2], means[2][3];
+    double variances[2][3];  ///< 0 where one sample leaves it unknown
+};
+
+/// Sums over pixels, weighed by w, of means over channels; the names are those of NoiseSums.
+struct NoiseTerms {
+    void add(const NoiseTerms &other);
+    std::optional<Noise> noise() const;
+
+    std::size_t pixels = 0;
+    double halves = 0, squares = 0, crossed = 0, curvature = 0;  ///< of D², S, X and Y
+    double halves_squared = 0;                                   ///< of (D²)²
+    double fourth_of_halves = 0, fourth_of_squares = 0;          ///< of (D²)² and S² times (n - 2) / (2 (n - 3))
+    double mixed_squared = 0;                                    ///< of X², as far as it is of mixtures
+    double few = 0, few_squared = 0;                             ///< of D² and (D²)² where there are no four samples
+};
+
+/// Sums over a picture's pixels from which Noise follows.
 ///
 /// The means A and B of the two halves are independent estimates of a pixel's value μ, so D² = (A - B)² / 4 estimates the squared error M² of their
 /// mean without bias, however the samples of a half are stratified. The two differ by M² - D² = (A - μ)(B - μ), whose variance is exactly 4 V², V
@@ -26,27 +55,26 @@ struct Noise {
 ///
 /// The weights w = 1 / (μ² + 0.01) of relMSE are unknown too, and where samples are skewed the picture's own values depend on D². But the variance
 /// of one half and the value of the other do not: the sum X of S_A w(B) / 4 + S_B w(A) / 4 is too large only by the curvature of w,
-/// Y = S_A S_B (w''(A) + w''(B)) / 8, and g (X - g Y) is the estimate. It is too large where a pixel's samples are few and far apart, as on the edge
-/// of a lamp, of which one half may have seen nothing: w is then that of the dark. That is the safe side: a lower bound on the means of halves, tried
-/// instead, let pictures with a few outliers pass for seven times better than they are.
+/// Y = S_A S_B (w''(A) + w''(B)) / 8, and g (X - g Y) is the estimate.
+///
+/// The curvature says nothing where few samples are far apart: of a pixel on the edge of a lamp one half may have seen nothing, and w(B) is a
+/// hundred times too large. There the eight pixels about it, which show the lamp and what is dark, say between which values the pixel's may be, and
+/// where A's samples are of these two ends, and w is open between them, the weight is that of a Mixture. What is unlike all around it, a rare
+/// outlier, is not taken for an edge.
 class NoiseSums {
 public:
-    /// Pixels with fewer than two samples are left out.
-    void add(std::span<const FilmPixel> pixels);
-    void add(const NoiseSums &other);
-    /// Nothing where no pixel had two samples. Of fewer than four samples the estimate is rough, since S is unknown, and the interval
-    /// begins at 0.
+    /// `width` of the picture [pixels].
+    explicit NoiseSums(std::size_t width) : width_(width) {}
+    /// The picture's next rows, from the top. Pixels with fewer than two samples are left out.
+    void add_rows(std::span<const FilmPixel> rows);
+    /// Of the rows so far; nothing where no pixel had two samples. Of fewer than four samples the estimate is rough, since S is unknown, and the
+    /// interval begins at 0.
     std::optional<Noise> noise() const;
 
 private:
-    void add_pixel(const FilmPixel &pixel);
-
-    // All weighed by w, and means over channels.
-    std::size_t pixels_ = 0;
-    double halves_ = 0, squares_ = 0, crossed_ = 0, curvature_ = 0;  ///< of D², S, X and Y
-    double halves_squared_ = 0;                                      ///< of (D²)²
-    double fourth_of_halves_ = 0, fourth_of_squares_ = 0;            ///< of (D²)² and S² times (n - 2) / (2 (n - 3))
-    double few_ = 0, fourth_of_few_ = 0;  ///< of D² and (D²)² / 2 where there are no four samples: E D⁴ is at least 2 V²
+    std::size_t width_;
+    std::vector<PixelHalves> rows_;  ///< the last one or two: the last one's lower neighbours are still to come
+    NoiseTerms terms_;               ///< of all rows before the last
 };
 
 /// Standard error of each channel of a pixel's value, from the squares of its samples, if there are four: too large where these are stratified.
