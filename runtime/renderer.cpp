@@ -6,6 +6,7 @@
 
 #include "runtime/wavefront/work.h"
 #include "scene/error.h"
+#include "scene/formats/limits.h"
 
 namespace brandung {
 namespace {
@@ -114,21 +115,20 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
 std::size_t Renderer::wave_bytes() const { return integrator_->wave_bytes() + filter_.bytes() + pixels_.bytes() + samples_.bytes(); }
 
 RenderEnd Renderer::render(Film &film, const std::vector<Observer> &observers, Aovs *aovs) {
-    RenderProgress progress{.samples_total = film.window().pixels() * film_settings_.spp};
-    RenderEnd end{.complete = false};
+    RenderProgress progress{.samples_total = film.window().pixels() * film_settings_.spp, .open_ended = film_settings_.spp == max_samples};
+    RenderEnd end;
     try {
-        end.complete = render_passes(film, progress, end.spp, observers, aovs);
+        end.stopped_by = render_passes(film, progress, observers, aovs);
     } catch (const Error &error) {
         if (progress.samples_done == 0) throw;
-        end.failure = error.what();
+        end.stopped_by = StoppedBy::failure, end.failure = error.what();
     }
-    end.samples_done = progress.samples_done, end.samples_total = progress.samples_total;
-    end.noise = progress.noise;
+    end.samples_done = progress.samples_done, end.samples_total = progress.samples_total, end.open_ended = progress.open_ended;
+    end.noise = progress.noise, end.spp = progress.spp;
     return end;
 }
 
-/// False if stopped before the end.
-bool Renderer::render_passes(Film &film, RenderProgress &progress, uint &spp, const std::vector<Observer> &observers, Aovs *aovs) {
+StoppedBy Renderer::render_passes(Film &film, RenderProgress &progress, const std::vector<Observer> &observers, Aovs *aovs) {
     Announcement announcement(observers);
     Schedule schedule(film_settings_, options_.batch, options_.stop);
     NoiseWatch noise(film, schedule.needs_noise());
@@ -138,6 +138,7 @@ bool Renderer::render_passes(Film &film, RenderProgress &progress, uint &spp, co
         PixelOrder order(film.window());
         for (auto pixels = order.next(pixels_at_once); goes_on && in_time && !pixels.empty(); pixels = order.next(pixels_at_once)) {
             render_batch(film, pixels, schedule.samples_done(), samples, aovs, nullptr);
+            if (progress.samples_done == 0) schedule.start_clock(announcement.seconds());
             progress.samples_done += pixels.size() * samples;
             in_time = !schedule.is_late(announcement.seconds());
             goes_on = announcement.tell(progress, schedule);
@@ -145,14 +146,14 @@ bool Renderer::render_passes(Film &film, RenderProgress &progress, uint &spp, co
         if (!goes_on || !in_time) break;
         progress.noise = noise.after_pass(announcement.seconds());
         schedule.end_pass(samples, announcement.seconds(), progress.noise);
-        spp = schedule.samples_done();
+        progress.spp = schedule.samples_done();
     }
     if (film_settings_.spp > 1) progress.noise = film.noise();
-    const bool all = progress.samples_done == progress.samples_total;
-    if (all || !goes_on) return all;
-    progress.samples_total = progress.samples_done;  // a rule has ended it
+    if (progress.samples_done == progress.samples_total) return schedule.has_reached_error() ? StoppedBy::error : StoppedBy::samples;
+    if (!goes_on) return StoppedBy::observer;
+    progress.samples_total = progress.samples_done;
     announcement.tell(progress, schedule);
-    return true;
+    return in_time ? StoppedBy::error : StoppedBy::time;
 }
 
 /// The pixels' samples first ... first + samples.

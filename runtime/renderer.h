@@ -11,9 +11,11 @@ namespace brandung {
 
 struct RenderProgress {
     std::uint64_t samples_done = 0, samples_total = 0;  ///< the total may turn out to be less, where a rule ends the render
+    uint spp = 0;                                       ///< samples of every pixel, by whole passes
     double seconds = 0;
     double part = 0;                     ///< that is done, from 0 to 1
     std::optional<double> seconds_left;  ///< as far as rules say it
+    bool open_ended = false;             ///< the total is no number that anybody has asked for
     std::optional<Noise> noise;          ///< as it was after a pass, now and then
 };
 
@@ -29,13 +31,18 @@ struct Observer {
     std::function<bool(const RenderProgress &)> observe;  ///< false stops the render, once all have been told
 };
 
+/// What ended a render.
+enum class StoppedBy { samples, error, time, observer, failure };
+
 /// How a render ended; the film has the samples of whole batches.
 struct RenderEnd {
-    bool complete = false;  ///< all samples are in the film
-    std::string failure;    ///< what the device could not do, if that ended it
+    StoppedBy stopped_by = StoppedBy::samples;
+    bool complete() const { return stopped_by != StoppedBy::observer && stopped_by != StoppedBy::failure; }  ///< as the rules want it
+    std::string failure;  ///< what the device could not do, if that ended it
     std::uint64_t samples_done = 0, samples_total = 0;
+    bool open_ended = false;     ///< as of RenderProgress
     std::optional<Noise> noise;  ///< of the film, where it has two samples of a pixel
-    uint spp = 0;                ///< samples of every pixel, by whole passes
+    uint spp = 0;                ///< as of RenderProgress
 };
 
 /// The camera's frustum for a picture of width x height.
@@ -64,7 +71,7 @@ public:
     std::size_t wave_bytes() const;
 
 private:
-    bool render_passes(Film &film, RenderProgress &progress, uint &spp, const std::vector<Observer> &observers, Aovs *aovs);
+    StoppedBy render_passes(Film &film, RenderProgress &progress, const std::vector<Observer> &observers, Aovs *aovs);
     void render_batch(Film &film, const std::vector<uint> &pixels, uint first, uint samples, Aovs *aovs, WaveObserver *observer);
 
     Device &device_;

@@ -13,7 +13,7 @@ constexpr double flattest = 0.5, steepest = 3;  ///< slopes that noise may have:
 }  // namespace
 
 uint Schedule::next_pass() const {
-    if (has_ended()) return 0;
+    if (done_ == film_.spp || has_reached_error()) return 0;
     const std::uint64_t pixels = film_.window().pixels();
     std::uint64_t pass = done_ == 0 && film_.spp > few ? 1 : few;
     if (rules_.seconds) pass = std::min<std::uint64_t>(pass, std::max(done_, 1u));
@@ -44,14 +44,14 @@ std::optional<double> Schedule::samples_left() const {
 
 double Schedule::part(double of_samples, double seconds) const {
     double part = of_samples;
-    if (rules_.seconds) part = std::max(part, seconds / *rules_.seconds);
+    if (rules_.seconds) part = std::max(part, (seconds - start_) / *rules_.seconds);
     if (const auto left = samples_left()) part = std::max(part, done_ / (done_ + *left));
     return std::min(part, 1.0);
 }
 
 std::optional<double> Schedule::seconds_left(double seconds) const {
     std::optional<double> left;
-    if (rules_.seconds) left = std::max(*rules_.seconds - seconds, 0.0);
+    if (rules_.seconds) left = std::max(*rules_.seconds - (seconds - start_), 0.0);
     if (const auto samples = samples_left(); samples && done_ > first_->samples) {
         const double predicted = *samples * (seconds_ - first_->value) / (done_ - first_->samples);
         left = left ? std::min(*left, predicted) : predicted;

@@ -10,7 +10,7 @@ namespace brandung {
 /// When a render ends, if not before by its number of samples.
 struct StopRules {
     std::optional<double> error;    ///< once the noise's relMSE is below this with its interval's upper end
-    std::optional<double> seconds;  ///< once it has taken so long, but not before every pixel has a sample
+    std::optional<double> seconds;  ///< once it has taken so long since its first batch, but not before every pixel has a sample
 };
 
 class Schedule {
@@ -21,12 +21,15 @@ public:
     /// Samples of each pixel in the next pass; 0 when the render has ended. Few, so that an interrupted picture is whole, if noisier; of many one at
     /// first, so that there is a whole picture soon; but more where the whole picture is in every batch anyway.
     uint next_pass() const;
+    /// The first batch, for which kernels are compiled, has ended so many seconds after the beginning: from here the time of the rules counts.
+    void start_clock(double seconds) { start_ = seconds; }
     /// After a pass of so many samples, when the render has taken so many seconds; `noise` as known.
     void end_pass(uint samples, double seconds, const std::optional<Noise> &noise);
     /// Whether the next decision needs the noise.
     bool needs_noise() const { return rules_.error.has_value(); }
     /// Whether the time is over, in the middle of a pass too.
-    bool is_late(double seconds) const { return done_ > 0 && rules_.seconds && seconds >= *rules_.seconds; }
+    bool is_late(double seconds) const { return done_ > 0 && rules_.seconds && seconds - start_ >= *rules_.seconds; }
+    bool has_reached_error() const { return rules_.error && noise_ && noise_->high() <= *rules_.error; }
 
     uint samples_done() const { return done_; }  ///< of each pixel, by complete passes
     /// How much of the render is done, from 0 to 1: at least the part of its samples, and more if a rule may end it earlier.
@@ -35,7 +38,6 @@ public:
     std::optional<double> seconds_left(double seconds) const;
 
 private:
-    bool has_ended() const { return done_ == film_.spp || (rules_.error && noise_ && noise_->high() <= *rules_.error); }
     /// Of each pixel, that the noise's way so far lets expect until the error is reached.
     std::optional<double> samples_left() const;
 
@@ -48,6 +50,7 @@ private:
         double value;
     };
     uint done_ = 0;
+    double start_ = 0;    ///< seconds when the clock started
     double seconds_ = 0;  ///< at the end of the last pass
     std::optional<Noise> noise_;
     std::optional<Point> first_;  ///< seconds of the first pass, in which kernels are compiled

@@ -11,16 +11,19 @@
 namespace brandung {
 namespace {
 
-void refuse_if_distrusted(const DeviceInfo &device) {
+/// Why a device is not to be trusted, as far as is known; throws Error where that is so, unless it is taken all the same.
+std::string check_trust(const DeviceInfo &device, bool take_it_all_the_same) {
     const auto [why_not, warning] = known_trust(device);
     if (!warning.empty()) fmt::print(stderr, "warning: {}\n", warning);
-    if (!why_not.empty())
-        throw Error(fmt::format("'{}' has failed brandung selftest: {}; --untrusted-device takes it all the same", device.name, why_not));
+    if (why_not.empty()) return why_not;
+    const std::string text = fmt::format("'{}' has failed brandung selftest: {}", device.name, why_not);
+    if (!take_it_all_the_same) throw Error(text + "; --untrusted-device takes it all the same");
+    fmt::print(stderr, "warning: {}\n", text);
+    return why_not;
 }
 
 Device select_device(const SceneOptions &options, JobWatch &watch) {
     Device device = Device::select(options.device, options.threads);
-    if (!options.untrusted_device) refuse_if_distrusted(device.info());
     device.on_build(std::move(watch.on_build)), device.on_built(std::move(watch.on_built)), device.on_launch(std::move(watch.on_launch));
     return device;
 }
@@ -34,6 +37,7 @@ Job::Job(const Scene &scene, const SceneOptions &options, JobWatch watch, const 
       camera(chosen_camera(scene, options.camera)),
       compiled(timed(seconds.scene, [&] { return compile(scene); })),
       device(timed(seconds.device, [&] { return select_device(options, watch); })),
+      distrust(check_trust(device.info(), options.untrusted_device)),
       on_device(timed(seconds.device, [&] { return DeviceScene(device, compiled); })),
       film(timed(seconds.kernels, [&] { return Film(device, scene.film.window()); })),
       aovs(timed(seconds.kernels,

@@ -55,6 +55,7 @@ struct Job {
     const CameraDescription &camera;
     CompiledScene compiled;
     Device device;
+    std::string distrust;  ///< which self-test the device has failed, where it was taken all the same; empty else
     DeviceScene on_device;
     Film film;
     std::optional<Aovs> aovs;  ///< if the scene asks for any

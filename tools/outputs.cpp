@@ -57,7 +57,7 @@ std::map<std::string, std::string> metadata(const Job &job, const PhaseSeconds &
                                                    {"brandung:light_samples", std::to_string(job.scene.integrator.light_samples)},
                                                    {"brandung:follow", job.scene.integrator.follows_one ? "one" : "both"},
                                                    {"brandung:shadows", job.scene.integrator.filtered_shadows ? "filtered" : "opaque"},
-                                                   {"brandung:spp", std::to_string(end.complete ? end.spp : film.spp)},
+                                                   {"brandung:spp", std::to_string(end.spp)},
                                                    {"brandung:seed", std::to_string(film.seed)},
                                                    {"brandung:sampler", sampler_kinds()[film.sampler].name},
                                                    {"brandung:filter", filter_kinds()[film.filter].name},
@@ -66,18 +66,21 @@ std::map<std::string, std::string> metadata(const Job &job, const PhaseSeconds &
                                                    {"brandung:exposure", fmt::format("{}", exposure)},
                                                    {"brandung:tone", tone_kinds()[film.tone].name},
                                                    {"brandung:statistics", statistics(job, seconds, end).dump()}};
+    if (!job.distrust.empty()) metadata.insert({"brandung:distrust", job.distrust});
     if (end.noise)
         metadata.insert({{"brandung:noise", fmt::format("{:.6g}", end.noise->relmse)},
                          {"brandung:noise_confidence_95", fmt::format("{:.6g} {:.6g}", end.noise->low(), end.noise->high())},
                          {"brandung:biased_by", names(biases(job))}});
-    if (!end.complete)
+    if (!end.complete())
         metadata.insert({{running ? "brandung:unfinished" : "brandung:interrupted", "true"}, {"brandung:samples", samples_taken(end)}});
     return metadata;
 }
 
 }  // namespace
 
-std::string samples_taken(const RenderEnd &end) { return fmt::format("{} of {} samples", end.samples_done, end.samples_total); }
+std::string samples_taken(const RenderEnd &end) {
+    return end.open_ended ? fmt::format("{} samples", end.samples_done) : fmt::format("{} of {} samples", end.samples_done, end.samples_total);
+}
 
 void add_output_options(CLI::App &command, OutputOptions &options) {
     command.option_defaults()->group("Output");

@@ -18,9 +18,9 @@ public:
         const double samples = static_cast<double>(last_.samples_done - first_.samples_done), seconds = last_.seconds - first_.seconds;
         return samples > 0 && seconds > 0 ? std::optional(samples / seconds) : std::nullopt;
     }
-    /// By the rules of the render, if they say it, else by its pace.
+    /// By the rules of the render, if they say it, else by its pace; nothing where only rules can say it.
     std::optional<double> seconds_left() const {
-        if (last_.seconds_left) return last_.seconds_left;
+        if (last_.seconds_left || last_.open_ended) return last_.seconds_left;
         const auto speed = samples_per_second();
         return speed ? std::optional(static_cast<double>(last_.samples_total - last_.samples_done) / *speed) : std::nullopt;
     }

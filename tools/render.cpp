@@ -56,8 +56,8 @@ JobWatch watch_of(Preview &preview, std::optional<Trace> &trace, const std::func
 
 int status_of(const RenderEnd &end) {
     if (!end.failure.empty()) throw Error(end.failure + "; the picture so far has been written: " + samples_taken(end));
-    if (!end.complete) fmt::print(stderr, "interrupted: {}; pixels not reached are black\n", samples_taken(end));
-    return end.complete ? 0 : interrupted_status;
+    if (!end.complete()) fmt::print(stderr, "interrupted: {}{}\n", samples_taken(end), end.spp == 0 ? "; pixels not reached are black" : "");
+    return end.complete() ? 0 : interrupted_status;
 }
 
 int render(const RenderCommandOptions &options) {
@@ -97,11 +97,10 @@ int render(const RenderCommandOptions &options) {
     }
     seconds.total = seconds_now() - start;
     if (!options.stats.empty()) write_text(options.stats, statistics(job, seconds, end).dump(2) + "\n");
-    if (!options.quiet) print_noise(job, end);
     print_losses(job);
     if (scene.film.automatic_exposure)
         fmt::print(stderr, "exposure: --exposure {}{}\n", exposure, options.turntable ? ", which the first picture has chosen" : "");
-    preview.hold(end.complete ? hold : std::nullopt, [&, complete = end.complete] { return complete && is_interrupted(); });
+    preview.hold(end.complete() ? hold : std::nullopt, [&, complete = end.complete()] { return complete && is_interrupted(); });
     print_faults(preview, progress);
     return status_of(end);
 }

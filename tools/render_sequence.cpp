@@ -30,13 +30,31 @@ private:
     double start_ = seconds_now();
 };
 
+RenderEnd unfinished(const RenderProgress &done) {
+    return {.stopped_by = StoppedBy::observer,
+            .failure = "",
+            .samples_done = done.samples_done,
+            .samples_total = done.samples_total,
+            .open_ended = done.open_ended,
+            .noise = done.noise,
+            .spp = done.spp};
+}
+
+/// The sequence so far with one more picture; its noise is that of the noisiest.
+RenderEnd joined(const RenderEnd &all, const RenderEnd &picture, uint pictures_left) {
+    RenderEnd end = picture;
+    end.samples_done += all.samples_done, end.samples_total = all.samples_done + pictures_left * picture.samples_total;
+    if (all.noise && (!end.noise || all.noise->relmse > end.noise->relmse)) end.noise = all.noise;
+    return end;
+}
+
 /// Writes the pictures so far now and then, but not the last, which are written anyway; where that fails the render goes on.
 Observer saving(double every, const OutputOptions &outputs, Job &job, PhaseSeconds seconds, ProgressLine &progress) {
     return {every, [&, outputs, seconds](const RenderProgress &done) mutable {
                 if (done.samples_done == done.samples_total) return true;
                 seconds.render = done.seconds;
                 try {
-                    write_outputs(outputs, job, seconds, {false, "", done.samples_done, done.samples_total, done.noise}, true);
+                    write_outputs(outputs, job, seconds, unfinished(done), true);
                 } catch (const SceneError &error) {
                     progress.clear();
                     fmt::print(stderr, "warning: {}\n", error.what());
@@ -71,10 +89,10 @@ std::pair<RenderEnd, float> render_pictures(const RenderCommandOptions &options,
                                             ProgressLine &progress) {
     Sequence sequence(options.pictures());
     const std::vector<Observer> of_all = observers_of_all(sequence, job, preview, trace, progress);
-    RenderEnd all{.complete = true};
+    RenderEnd all;
     std::optional<float> exposure;
     double write_seconds = 0;
-    for (uint picture = 0; picture < options.pictures() && all.complete; ++picture) {
+    for (uint picture = 0; picture < options.pictures() && all.complete(); ++picture) {
         OutputOptions outputs = options.outputs_of(picture);
         outputs.exposure = exposure;
         if (picture > 0) {
@@ -87,8 +105,8 @@ std::pair<RenderEnd, float> render_pictures(const RenderCommandOptions &options,
         sequence.end_picture(end);
         progress.clear();
         exposure = timed(write_seconds, [&] { return write_outputs(outputs, job, seconds, end, false); });
-        all = {end.complete, end.failure, all.samples_done + end.samples_done, all.samples_done + (options.pictures() - picture) * end.samples_total,
-               end.noise,    end.spp};
+        if (!options.quiet) print_noise(job, end, options.stop, options.pictures() > 1 ? outputs.files.front() + ": " : "");
+        all = joined(all, end, options.pictures() - picture);
     }
     seconds.write = write_seconds;
     return {all, exposure.value()};

@@ -154,19 +154,22 @@ json noise_statistics(const std::optional<Noise> &noise) {
 }
 
 json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &end) {
+    static constexpr const char *stopped_by[] = {"samples", "error", "time", "interruption", "failure"};  // by StoppedBy
     const FilmSettings &film = job.scene.film;
     const Integrator &integrator = job.renderer.integrator();
     const Window window = film.window();
     return {{"scene", scene_contents(job.scene, job.compiled)},
             {"device", job.device.info().name},
+            {"distrust", job.distrust},
             {"integrator", job.scene.integrator.type},
             {"accelerator", job.compiled.accelerator},
             {"width", film.width},
             {"height", film.height},
             {"window", {window.left, window.top, window.right, window.bottom}},
-            {"spp", end.complete ? end.spp : film.spp},
+            {"spp", end.spp},
             {"seed", film.seed},
-            {"interrupted", !end.complete},
+            {"interrupted", !end.complete()},
+            {"stopped_by", stopped_by[static_cast<std::size_t>(end.stopped_by)]},
             {"samples_done", end.samples_done},
             {"samples_total", end.samples_total},
             {"seconds", phases(seconds)},
@@ -174,7 +177,7 @@ json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &en
             {"refused", integrator.refused()},
             {"media_lost", integrator.media_lost()},
             {"clamped", job.film.clamped()},
-            {"error", noise_statistics(end.noise)},
+            {"noise", noise_statistics(end.noise)},
             {"biased_by", biases(job)},
             {"kernels", kernel_statistics(job.device.profile())},
             {"memory", memory(job)},

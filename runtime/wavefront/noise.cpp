@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "runtime/wavefront/relmse_weight.h"
 
@@ -189,7 +190,7 @@ std::optional<Noise> NoiseSums::noise() const {
 
 vec3 standard_error(const FilmPixel &film_pixel) {
     const PixelHalves pixel(film_pixel);
-    if (!pixel.has_two_samples()) return vec3(0);
+    if (!pixel.has_two_samples()) return vec3(std::numeric_limits<float>::infinity());
     const auto error = [&](std::size_t c) {
         return static_cast<float>(std::sqrt(pixel.has_variances() ? pixel.squared_error_by_squares(c) : pixel.squared_error_by_halves(c)));
     };

@@ -78,7 +78,7 @@ private:
 };
 
 /// Standard error of each channel of a pixel's value, from the squares of its samples, if there are four: too large where these are stratified.
-/// 0 below two samples.
+/// Infinite below two samples, of which it is not known.
 vec3 standard_error(const FilmPixel &pixel);
 
 }  // namespace brandung

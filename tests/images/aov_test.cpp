@@ -22,7 +22,7 @@ Channels render_aovs(Scene &scene, uint batch = 32768, std::size_t largest_band 
     Film film(device, scene.film.window());
     Aovs aovs(device, scene, compiled, on_device, scene.cameras[0], batch, largest_band);
     Renderer renderer(device, scene, compiled, on_device, scene.cameras[0], {.batch = batch});
-    EXPECT_TRUE(renderer.render(film, {}, &aovs).complete);
+    EXPECT_TRUE(renderer.render(film, {}, &aovs).complete());
     Channels channels;
     for (const PictureChannel &channel : aovs.develop(film)) channels[channel.name] = channel;
     return channels;

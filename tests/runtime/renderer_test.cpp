@@ -23,7 +23,7 @@ TEST(Renderer, KeepsThePictureSoFarWhereTheDeviceFails) {
         return true;
     };
     const RenderEnd end = renderer.render(film, {{0, fail}});
-    EXPECT_FALSE(end.complete);
+    EXPECT_FALSE(end.complete());
     EXPECT_EQ(end.failure, "out of memory");
     const std::vector<vec3> picture = film.develop();
     EXPECT_EQ(std::count(picture.begin(), picture.end(), vec3(1)), 8);
@@ -51,13 +51,13 @@ TEST(Renderer, ObserversSeeTheFilmOfARenderUnderWay) {
         ADD_FAILURE() << "not yet";
         return true;
     };
-    EXPECT_TRUE(renderer.render(film, {{3600, never}, {0, look}}).complete);
+    EXPECT_TRUE(renderer.render(film, {{3600, never}, {0, look}}).complete());
     EXPECT_EQ(seen, (std::vector<std::uint64_t>{4, 8, 12, 16}));
 
     film.clear(), seen.clear();
     const auto stop = [](const RenderProgress &progress) { return progress.samples_done < 8; };
     const RenderEnd end = renderer.render(film, {{0, look}, {0, stop}, {0, look}});
-    EXPECT_FALSE(end.complete);
+    EXPECT_FALSE(end.complete());
     EXPECT_EQ(end.failure, "");
     EXPECT_EQ(end.samples_done, 8u);
     EXPECT_EQ(seen, (std::vector<std::uint64_t>{4, 4, 8, 8})) << "all are told before it ends";

@@ -72,6 +72,16 @@ TEST(Schedule, KnowsWhenItIsLateButNotBeforeEveryPixelHasASample) {
     EXPECT_EQ(schedule.part(0.001, 7), 0.7);
 }
 
+TEST(Schedule, TimeCountsFromTheFirstBatch) {
+    Schedule schedule(film_of(1u << 24), 32768, {.error = {}, .seconds = 10});
+    schedule.start_clock(100);
+    schedule.end_pass(1, 101, {});
+    EXPECT_FALSE(schedule.is_late(109.9));
+    EXPECT_TRUE(schedule.is_late(110));
+    EXPECT_EQ(schedule.seconds_left(107), 3);
+    EXPECT_EQ(schedule.part(0.001, 107), 0.7);
+}
+
 /// With noise 0.04 of 25 samples and of 0.02 of 50 the slope is 1: 0.01 is reached at 105 with its uncertainty, 55 samples of a second each from now.
 TEST(Schedule, TimeLeftFollowsFromTheConvergence) {
     Schedule schedule(film_of(1u << 24), 32768, {.error = 0.01, .seconds = {}});

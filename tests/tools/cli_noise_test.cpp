@@ -26,9 +26,9 @@ struct NoisyRun {
 }  // namespace
 
 TEST(NoiseOfRenders, IsInStatisticsFromTwoSamplesOn) {
-    EXPECT_TRUE(NoisyRun({"--spp", "1"}).stats.at("error").is_null());
+    EXPECT_TRUE(NoisyRun({"--spp", "1"}).stats.at("noise").is_null());
     const NoisyRun run({"--spp", "8", "--set", "integrator.threshold=0.25", "--set", "materials.0.reflection=0.5", "--max-depth", "1"});
-    const json error = run.stats.at("error");
+    const json error = run.stats.at("noise");
     EXPECT_GT(error.at("relmse"), 0);
     EXPECT_LT(error.at("confidence_95").at(0), error.at("relmse"));
     EXPECT_GT(error.at("confidence_95").at(1), error.at("relmse"));
@@ -40,11 +40,12 @@ TEST(NoiseOfRenders, IsInStatisticsFromTwoSamplesOn) {
 
 TEST(NoiseOfRenders, ErrorEndsTheRenderThere) {
     const NoisyRun run({"--error", "0.001"});
-    const json error = run.stats.at("error");
+    const json error = run.stats.at("noise");
     EXPECT_LE(error.at("confidence_95").at(1), 0.001);
     EXPECT_EQ(run.stats.at("samples_done"), run.stats.at("samples_total"));
     EXPECT_EQ(run.stats.at("samples_done"), run.stats.at("spp").get<std::uint64_t>() * 64 * 48);
     EXPECT_FALSE(run.stats.at("interrupted"));
+    EXPECT_EQ(run.stats.at("stopped_by"), "error");
 }
 
 TEST(NoiseOfRenders, TimeEndsTheRenderInTime) {
@@ -52,12 +53,25 @@ TEST(NoiseOfRenders, TimeEndsTheRenderInTime) {
     EXPECT_LT(run.stats.at("samples_done"), std::uint64_t{64} * 48 << 24);
     EXPECT_GE(run.stats.at("seconds").at("render"), 1.5);
     EXPECT_GT(run.stats.at("spp"), 1);
+    EXPECT_EQ(run.stats.at("stopped_by"), "time");
+}
+
+/// Where nobody has asked for a number of samples, none is told.
+TEST(NoiseOfRenders, ErrorThatIsNotReachedIsTold) {
+    const TemporaryFolder folder;
+    const Finished run = render_native(folder, {"-o", folder.path("out.exr"), "--error", "1e-9", "--spp", "6"});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_NE(run.err.find("warning: the noise is not below 1e-09: 6 spp came first\n"), std::string::npos) << run.err;
+    const Finished timed = render_native(folder, {"-o", folder.path("out.exr"), "--error", "1e-9", "--time", "0.01"});
+    EXPECT_NE(timed.err.find("warning: the noise is not below 1e-09: 0.01 s came first\n"), std::string::npos) << timed.err;
+    EXPECT_EQ(timed.err.find("16777216"), std::string::npos) << timed.err;
 }
 
 TEST(NoiseOfRenders, SppIsALimitOfBoth) {
     const NoisyRun run({"--error", "1e-9", "--time", "1000", "--spp", "6"});
     EXPECT_EQ(run.stats.at("spp"), 6);
-    EXPECT_GT(run.stats.at("error").at("relmse"), 1e-9);
+    EXPECT_EQ(run.stats.at("stopped_by"), "samples");
+    EXPECT_GT(run.stats.at("noise").at("relmse"), 1e-9);
 }
 
 TEST(NoiseOfRenders, RulesThatCannotBeAreRefused) {

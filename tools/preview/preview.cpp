@@ -77,7 +77,7 @@ void Preview::after_batch(const RenderProgress &progress, Job &job) {
 
 void Preview::finish(const RenderEnd &end, Job &job) {
     if (!active()) return;
-    state_.phase = end.complete ? PreviewPhase::done : end.failure.empty() ? PreviewPhase::interrupted : PreviewPhase::failed;
+    state_.phase = end.complete() ? PreviewPhase::done : end.failure.empty() ? PreviewPhase::interrupted : PreviewPhase::failed;
     state_.doing = end.failure;
     state_.progress.noise = end.noise;
     update_counts(job);
