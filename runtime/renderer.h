@@ -41,7 +41,7 @@ struct RenderEnd {
     std::string failure;  ///< what the device could not do, if that ended it
     std::uint64_t samples_done = 0, samples_total = 0;
     bool open_ended = false;     ///< as of RenderProgress
-    std::optional<Noise> noise;  ///< of the film, where it has two samples of a pixel
+    std::optional<Noise> noise;  ///< of the film, where it has two samples of every pixel
     uint spp = 0;                ///< as of RenderProgress
 };
 

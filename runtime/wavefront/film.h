@@ -23,7 +23,7 @@ public:
     std::vector<vec3> develop();
     /// Exact sums, row by row from the top.
     std::vector<FilmPixel> read() const { return bands_.read(); }
-    /// Of its samples so far; nothing where no pixel has two.
+    /// Of its samples so far; nothing where a pixel has fewer than two.
     std::optional<Noise> noise() const;
     /// Samples that were cut at ±2^16.
     uint clamped() const { return clamped_.read().at(0); }

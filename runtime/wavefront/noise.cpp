@@ -91,8 +91,11 @@ double few_terms(const Neighbourhood &pixels, std::size_t c) {
 
 void add_pixel(const Neighbourhood &pixels, NoiseTerms &sums) {
     const PixelHalves &pixel = pixels.pixel;
-    if (!pixel.has_two_samples()) return;
     ++sums.pixels;
+    if (!pixel.has_two_samples()) {
+        ++sums.unknown;
+        return;
+    }
     if (!pixel.has_variances()) {
         const double few = (few_terms(pixels, 0) + few_terms(pixels, 1) + few_terms(pixels, 2)) / 3;
         sums.few += few, sums.few_squared += few * few;
@@ -148,7 +151,7 @@ double PixelHalves::squared_error_by_squares(std::size_t c) const {
 }
 
 void NoiseTerms::add(const NoiseTerms &other) {
-    pixels += other.pixels;
+    pixels += other.pixels, unknown += other.unknown;
     halves += other.halves, squares += other.squares, crossed += other.crossed, curvature += other.curvature;
     halves_squared += other.halves_squared, mixed_squared += other.mixed_squared;
     fourth_of_halves += other.fourth_of_halves, fourth_of_squares += other.fourth_of_squares;
@@ -156,7 +159,7 @@ void NoiseTerms::add(const NoiseTerms &other) {
 }
 
 std::optional<Noise> NoiseTerms::noise() const {
-    if (pixels == 0) return std::nullopt;
+    if (pixels == 0 || unknown > 0) return std::nullopt;
     const double gain = squares > 0 ? halves / squares : 0;
     // The squares of stratified samples say little of the kurtosis of D, to which few strata contribute: it is 2.4 for one in either half, in which
     // a sample may see either of two values (1.2 less than 3 on average, for two of them), and comes to 3 with many. In any case it is at least 2,

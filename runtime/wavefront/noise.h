@@ -37,7 +37,7 @@ struct NoiseTerms {
     void add(const NoiseTerms &other);
     std::optional<Noise> noise() const;
 
-    std::size_t pixels = 0;
+    std::size_t pixels = 0, unknown = 0;                         ///< all, and those with fewer than two samples
     double halves = 0, squares = 0, crossed = 0, curvature = 0;  ///< of D², S, X and Y
     double halves_squared = 0;                                   ///< of (D²)²
     double fourth_of_halves = 0, fourth_of_squares = 0;          ///< of (D²)² and S² times (n - 2) / (2 (n - 3))
@@ -65,10 +65,10 @@ class NoiseSums {
 public:
     /// `width` of the picture [pixels].
     explicit NoiseSums(std::size_t width) : width_(width) {}
-    /// The picture's next rows, from the top. Pixels with fewer than two samples are left out.
+    /// The picture's next rows, from the top.
     void add_rows(std::span<const FilmPixel> rows);
-    /// Of the rows so far; nothing where no pixel had two samples. Of fewer than four samples the estimate is rough, since S is unknown, and the
-    /// interval begins at 0.
+    /// Of the rows so far; nothing where a pixel had fewer than two samples: what is known of the others is not the picture's. Of fewer than four
+    /// samples the estimate is rough, since S is unknown, and the interval begins at 0.
     std::optional<Noise> noise() const;
 
 private:

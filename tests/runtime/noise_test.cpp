@@ -168,10 +168,13 @@ TEST(Noise, IntervalsOfTwoSamplesAreSafe) {
         EXPECT_GE(coverage({picture_of(model)}, 2).inside, 0.97);
 }
 
-TEST(Noise, OfNoTwoSamplesThereIsNone) {
+TEST(Noise, OfPixelsWithoutTwoSamplesThereIsNone) {
     EXPECT_FALSE(NoiseSums(2).noise());
     Generator random(1);
-    EXPECT_FALSE(noise_of({pixel_of(normal(1), 1, random), FilmPixel{}}, 2));
+    const FilmPixel known = pixel_of(normal(1), 4, random);
+    EXPECT_TRUE(noise_of({known, known}, 2));
+    EXPECT_FALSE(noise_of({known, pixel_of(normal(1), 1, random)}, 2));
+    EXPECT_FALSE(noise_of({FilmPixel{}, known}, 2));
 }
 
 TEST(Noise, OfEqualSamplesIsNothing) {
