@@ -51,14 +51,21 @@ void print_plan(const Job &job, const StopRules &stop) {
                mebibytes(job.film_bytes()), mebibytes(job.renderer.wave_bytes()));
 }
 
-void print_noise(const Job &job, const RenderEnd &end, const StopRules &stop, const std::string &prefix) {
-    if (!end.noise) return;
+namespace {
+
+void print_estimate(const Job &job, const RenderEnd &end, const std::string &prefix) {
     const double spp = static_cast<double>(end.samples_done) / static_cast<double>(job.film.window().pixels());
     std::string text = fmt::format("{}noise: relMSE {:.3g}, with a confidence of 95 % from {:.3g} to {:.3g}, after {:.4g} spp", prefix,
                                    end.noise->relmse, end.noise->low(), end.noise->high(), spp);
     std::string separator = "; wrong beyond that: ";
     for (const auto &bias : biases(job)) text += std::exchange(separator, ", ") + bias["why"].get<std::string>();
     fmt::print(stderr, "{}\n", text);
+}
+
+}  // namespace
+
+void print_noise(const Job &job, const RenderEnd &end, const StopRules &stop, const std::string &prefix) {
+    if (end.noise) print_estimate(job, end, prefix);
     if (stop.error && end.complete() && end.stopped_by != StoppedBy::error)
         fmt::print(stderr, "warning: {}the noise is not below {:g}: {} came first\n", prefix, *stop.error,
                    end.stopped_by == StoppedBy::time ? fmt::format("{:g} s", *stop.seconds) : fmt::format("{} spp", end.spp));

@@ -5,12 +5,8 @@
 #include <cstring>
 #include <span>
 
-#include "runtime/selftest/precision.h"
-
 namespace brandung {
 namespace {
-
-constexpr const char *crossings_file = "kernels/selftest/crossings.cl", *widths_file = "kernels/selftest/widths.cl";
 
 /// kernels/core/items.h's, with doubles.
 struct RayInDouble {
@@ -42,22 +38,15 @@ std::vector<std::byte> widened_blocks(const CrossingCases &cases) {
     return wide;
 }
 
-/// A header whose spans begin at 0; the arena is the normals.
-Buffer<std::byte> empty_header(Device &device) {
-    Buffer<std::byte> header(device, 2 * sizeof(SceneHeader));
-    header.fill_zero();
-    return header;
-}
-
 uint count_of(const CrossingCases &cases) { return static_cast<uint>(cases.rays.size()); }
 
 }  // namespace
 
-Sources one_kind(const PrimitiveKind &kind, bool in_double) {
+Sources one_kind(const PrimitiveKind &kind) {
     const std::string path = fmt::format("#include \"kernels/primitives/{}", kind.name);
     return {
         {"generated/constants.h", "#pragma once\n#define INTERIOR_SIZE 0u\n#define INSTANCES 0\n"},
-        precision(in_double),
+        {"generated/precision.cl", "// float\n"},
         {"generated/kind.cl", fmt::format("#pragma once\n{}.h\"\n#define NAME(function) {}_##function\n#define IS_FLAT {}\ntypedef {}Block Block;\n",
                                           path, kind.name, int(kind.is_flat), kind.record)},
         {"generated/primitive_hits.cl", path + "_hit.cl\"\n"},
@@ -68,28 +57,26 @@ NormalsOnly::NormalsOnly(Device &device, const CrossingCases &cases) : header_(d
 
 CrossingKernels::CrossingKernels(Device &device, const PrimitiveKind &kind)
     : device_(device),
-      crossings_(device, crossings_file, "test_crossings", one_kind(kind)),
-      widths_(device, widths_file, "test_widths", one_kind(kind)) {
-    if (device.info().doubles) crossings_in_double_.emplace(device, crossings_file, "test_crossings", one_kind(kind, true));
-}
+      crossings_(device, "kernels/selftest/crossings.cl", "test_crossings", one_kind(kind)),
+      widths_(device, "kernels/selftest/widths.cl", "test_widths", one_kind(kind)) {}
 
 std::vector<CrossingResult<float>> CrossingKernels::in_float(const CrossingCases &cases) {
     Buffer<CrossingResult<float>> results(device_, cases.rays.size());
-    crossings_(cases.rays.size(), NormalsOnly(device_, cases), Buffer<std::byte>(device_, cases.blocks),
-               Buffer<ShadingRecord>(device_, cases.records), Buffer<float>(device_, cases.extents), Buffer<Ray>(device_, cases.rays),
-               count_of(cases), results);
+    crossings_.in_float(cases.rays.size(), NormalsOnly(device_, cases), Buffer<std::byte>(device_, cases.blocks),
+                        Buffer<ShadingRecord>(device_, cases.records), Buffer<float>(device_, cases.extents), Buffer<Ray>(device_, cases.rays),
+                        count_of(cases), results);
     return results.read();
 }
 
 std::optional<std::vector<CrossingResult<double>>> CrossingKernels::in_double(const CrossingCases &cases) {
-    if (!crossings_in_double_) return std::nullopt;
+    if (!crossings_.in_double) return std::nullopt;
     const std::vector<double> extents = widened(cases.extents);
     const std::vector<double> normals =
         widened(floats_of(reinterpret_cast<const std::byte *>(cases.normals.data()), cases.normals.size() * sizeof(VertexNormals)));
     std::vector<RayInDouble> rays;
     for (const Ray &ray : cases.rays) rays.push_back(widened(ray));
     Buffer<CrossingResult<double>> results(device_, cases.rays.size());
-    (*crossings_in_double_)(cases.rays.size(), empty_header(device_), Buffer<double>(device_, normals),
+    (*crossings_.in_double)(cases.rays.size(), empty_header(device_), Buffer<double>(device_, normals),
                             Buffer<std::byte>(device_, widened_blocks(cases)), Buffer<ShadingRecord>(device_, cases.records),
                             Buffer<double>(device_, extents), Buffer<RayInDouble>(device_, rays), count_of(cases), results);
     return results.read();

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/opencl/kernel.h"
 #include "runtime/selftest/crossing_cases.h"
+#include "runtime/selftest/precision.h"
 
 namespace brandung {
 
@@ -31,8 +31,8 @@ public:
 
 private:
     Device &device_;
-    Kernel crossings_, widths_;
-    std::optional<Kernel> crossings_in_double_;
+    KernelInBoth crossings_;
+    Kernel widths_;
 };
 
 /// SCENE_PARAMS of a scene that has nothing but the cases' normals.
@@ -46,7 +46,7 @@ private:
     Buffer<VertexNormals> normals_;
 };
 
-/// The generated files that these kernels need: of this kind, in float or double.
-Sources one_kind(const PrimitiveKind &kind, bool in_double = false);
+/// The generated files that these kernels need: of this kind, in float.
+Sources one_kind(const PrimitiveKind &kind);
 
 }  // namespace brandung

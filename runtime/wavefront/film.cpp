@@ -48,8 +48,8 @@ std::vector<vec3> Film::develop() {
 }
 
 std::optional<Noise> Film::noise() const {
-    const std::size_t width = window_.width(),
-                      at_once = std::max<std::size_t>((1 << 16) / width, 1) * width;  // pixels that are copied from the device
+    const std::size_t width = window_.width();
+    const std::size_t at_once = std::max<std::size_t>((1 << 16) / width, 1) * width;  // pixels that are copied from the device
     NoiseSums sums(width);
     for (const Band<FilmPixel> &band : bands_)
         for (std::size_t first = 0; first < band.pixels.size(); first += at_once)

@@ -7,17 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "runtime/wavefront/relmse_weight.h"
 
 namespace brandung {
 namespace {
 
-constexpr double unit = 0x1p-32;             ///< of sums; their squares' is its square
 constexpr double two_sided_95 = 1.95996398;  ///< standard deviations
-
-long double value_of(Integer128 x) { return static_cast<long double>(static_cast<std::int64_t>(x.high)) * 0x1p64L + x.low; }
 
 /// `value` less `correction`, which is much smaller unless there is too much noise to tell; never below 0.
 double corrected(double value, double correction) { return correction > 0 && value > 0 ? value / (1 + correction / value) : value - correction; }
@@ -130,26 +126,6 @@ NoiseTerms terms_of(std::span<const PixelHalves> rows, std::size_t width, std::s
 
 }  // namespace
 
-PixelHalves::PixelHalves(const FilmPixel &pixel) {
-    for (const std::size_t half : {0, 1}) {
-        const long double n = counts[half] = pixel.counts[half];
-        for (std::size_t c = 0; c < 3; ++c) {
-            const long double sum = value_of(pixel.sums[half][c]), squares = value_of(pixel.squares[half][c]);
-            means[half][c] = n < 1 ? 0 : static_cast<double>(sum / n * unit);
-            variances[half][c] = n < 2 ? 0 : static_cast<double>(std::max((squares - sum * sum / n) / ((n - 1) * n) * (unit * unit), 0.0L));
-        }
-    }
-}
-
-double PixelHalves::squared_error_by_halves(std::size_t c) const {
-    const double difference = means[0][c] - means[1][c];
-    return difference * difference * share(0) * share(1);
-}
-
-double PixelHalves::squared_error_by_squares(std::size_t c) const {
-    return share(0) * share(0) * variances[0][c] + share(1) * share(1) * variances[1][c];
-}
-
 void NoiseTerms::add(const NoiseTerms &other) {
     pixels += other.pixels, unknown += other.unknown;
     halves += other.halves, squares += other.squares, crossed += other.crossed, curvature += other.curvature;
@@ -189,15 +165,6 @@ std::optional<Noise> NoiseSums::noise() const {
     NoiseTerms all = terms_;
     if (!rows_.empty()) all.add(terms_of(rows_, width_, rows_.size() / width_ - 1, rows_.size() / width_));
     return all.noise();
-}
-
-vec3 standard_error(const FilmPixel &film_pixel) {
-    const PixelHalves pixel(film_pixel);
-    if (!pixel.has_two_samples()) return vec3(std::numeric_limits<float>::infinity());
-    const auto error = [&](std::size_t c) {
-        return static_cast<float>(std::sqrt(pixel.has_variances() ? pixel.squared_error_by_squares(c) : pixel.squared_error_by_halves(c)));
-    };
-    return {error(0), error(1), error(2)};
 }
 
 }  // namespace brandung

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "kernels/core/items.h"
+#include "runtime/wavefront/pixel_halves.h"
 
 namespace brandung {
 
@@ -14,22 +14,6 @@ struct Noise {
     double half_width;  ///< of an interval about it, which holds the error of this very picture with a probability of 95 %
     double low() const { return relmse > half_width ? relmse - half_width : 0; }
     double high() const { return relmse + half_width; }
-};
-
-/// A pixel's two halves of samples: their means, and what their samples say of these means' variances, per channel.
-struct PixelHalves {
-    explicit PixelHalves(const FilmPixel &pixel);
-
-    double count() const { return counts[0] + counts[1]; }
-    double share(std::size_t half) const { return counts[half] / count(); }
-    bool has_two_samples() const { return counts[0] > 0 && counts[1] > 0; }
-    bool has_variances() const { return counts[0] > 1 && counts[1] > 1; }
-    double mean(std::size_t c) const { return share(0) * means[0][c] + share(1) * means[1][c]; }
-    double squared_error_by_halves(std::size_t c) const;   ///< D² of NoiseSums
-    double squared_error_by_squares(std::size_t c) const;  ///< S of NoiseSums
-
-    double counts[2], means[2][3];
-    double variances[2][3];  ///< 0 where one sample leaves it unknown
 };
 
 /// Sums over pixels, weighed by w, of means over channels; the names are those of NoiseSums.
@@ -76,9 +60,5 @@ private:
     std::vector<PixelHalves> rows_;  ///< the last one or two: the last one's lower neighbours are still to come
     NoiseTerms terms_;               ///< of all rows before the last
 };
-
-/// Standard error of each channel of a pixel's value, from the squares of its samples, if there are four: too large where these are stratified.
-/// Infinite below two samples, of which it is not known.
-vec3 standard_error(const FilmPixel &pixel);
 
 }  // namespace brandung

@@ -9,16 +9,16 @@ namespace {
 constexpr double darkest = 0.01;
 constexpr double weight_exponent = 1.5;  ///< of shares: 1/2 of the arcsine prior, 1 of the samples' variance
 
-/// Density of Beta(a, b) over the logit u of the share, u = ln(p / (1 - p)), over that at its mode.
+/// Density of Beta(a, b) over the logit u of the share p, u = ln(p / (1 - p)), over that at its mode; `odds`: e^u.
 class LogitDensity {
 public:
-    LogitDensity(double a, double b) : a_(a), sum_(a + b), mode_(std::log(a / b)), at_mode_(log_of(mode_)) {}
-    double operator()(double u) const { return std::exp(log_of(u) - at_mode_); }
-    double mode() const { return mode_; }
+    LogitDensity(double a, double b) : a_(a), sum_(a + b), at_mode_(log_of(mode(), a / b)) {}
+    double operator()(double u, double odds) const { return std::exp(log_of(u, odds) - at_mode_); }
+    double mode() const { return std::log(a_ / (sum_ - a_)); }
 
 private:
-    double log_of(double u) const { return a_ * u - sum_ * std::log1p(std::exp(u)); }
-    double a_, sum_, mode_, at_mode_;
+    double log_of(double u, double odds) const { return a_ * u - sum_ * std::log1p(odds); }
+    double a_, sum_, at_mode_;
 };
 
 }  // namespace
@@ -43,7 +43,7 @@ double Mixture::weight() const {
     double weights = 0, densities = 0;
     const auto sum_outwards = [&](double first, double direction) {
         for (double u = first;; u += direction * step) {
-            const double here = density(u), share = 1 / (1 + std::exp(-u));
+            const double odds = std::exp(u), here = density(u, odds), share = odds / (1 + odds);
             densities += here, weights += here * RelmseWeight(range.low + share * range.width()).w;
             if (here < negligible * weights) return;
         }

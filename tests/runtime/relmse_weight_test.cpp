@@ -13,7 +13,7 @@ double weight(double x) { return 1 / (x * x + 0.01); }
 /// Mean of the weights over p = sin² t of density p^(hits + 1/2) (1 - p)^(misses + 1/2), by midpoints; dp = 2 sin t cos t dt.
 double by_midpoints(const ValueRange &range, double mean, double samples) {
     const double hits = samples * (mean - range.low) / range.width(), misses = samples - hits;
-    constexpr int points = 1 << 20;
+    constexpr int points = 1 << 17;
     double weights = 0, densities = 0;
     for (int i = 0; i < points; ++i) {
         const double t = (i + 0.5) / points * M_PI / 2, s = std::sin(t), c = std::cos(t);

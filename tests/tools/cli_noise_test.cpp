@@ -62,6 +62,8 @@ TEST(NoiseOfRenders, ErrorThatIsNotReachedIsTold) {
     const Finished run = render_native(folder, {"-o", folder.path("out.exr"), "--error", "1e-9", "--spp", "6"});
     EXPECT_EQ(run.status, 0);
     EXPECT_NE(run.err.find("warning: the noise is not below 1e-09: 6 spp came first\n"), std::string::npos) << run.err;
+    const Finished unknown = render_native(folder, {"-o", folder.path("out.exr"), "--error", "0.1", "--spp", "1"});
+    EXPECT_NE(unknown.err.find("warning: the noise is not below 0.1: 1 spp came first\n"), std::string::npos) << unknown.err;
     const Finished timed = render_native(folder, {"-o", folder.path("out.exr"), "--error", "1e-9", "--time", "0.01"});
     EXPECT_NE(timed.err.find("warning: the noise is not below 1e-09: 0.01 s came first\n"), std::string::npos) << timed.err;
     EXPECT_EQ(timed.err.find("16777216"), std::string::npos) << timed.err;

@@ -1,10 +1,7 @@
 /// Rays of the pinhole camera.
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "kernels/core/params.h"
-#include "runtime/opencl/kernel.h"
 #include "runtime/selftest/describe.h"
 #include "runtime/selftest/examine.h"
 #include "runtime/selftest/extended.h"
@@ -39,9 +36,7 @@ Camera any_camera(InputSource &source) {
 
 class CameraRays final : public Subject {
 public:
-    explicit CameraRays(Device &device) : device_(device), kernel_(build(false)) {
-        if (device.info().doubles) kernel_in_double_.emplace(build(true));
-    }
+    explicit CameraRays(Device &device) : device_(device), kernel_(device, "kernels/selftest/camera_rays.cl", "test_camera_rays") {}
 
     Findings examine(uint round) override {
         std::vector<Camera> cameras(inputs_per_round);
@@ -51,17 +46,15 @@ public:
             cameras[i] = any_camera(source);
             points[i] = source.one_in(8) ? vec2(source.below(3) / 2.0f, source.below(3) / 2.0f) : vec2(source.uniform(0, 1), source.uniform(0, 1));
         }
-        const std::vector<vec3> directions = run<float>(kernel_, cameras, points);
-        const auto doubles = kernel_in_double_ ? run<double>(*kernel_in_double_, cameras, points) : std::vector<glm::dvec3>();
+        const std::vector<vec3> directions = run<float>(kernel_.in_float, cameras, points);
+        const auto doubles = kernel_.in_double ? run<double>(*kernel_.in_double, cameras, points) : std::vector<glm::dvec3>();
         device_.finish();
         return examine_each(inputs_per_round, [&](std::size_t i, Findings &findings) {
-            look_at(cameras[i], points[i], directions[i], kernel_in_double_ ? &doubles[i] : nullptr, findings);
+            look_at(cameras[i], points[i], directions[i], kernel_.in_double ? &doubles[i] : nullptr, findings);
         });
     }
 
 private:
-    Kernel build(bool in_double) const { return {device_, "kernels/selftest/camera_rays.cl", "test_camera_rays", {precision(in_double)}}; }
-
     template <class Number>
     std::vector<glm::vec<3, Number>> run(Kernel &kernel, const std::vector<Camera> &cameras, const std::vector<vec2> &points) {
         Buffer<glm::vec<3, Number>> results(device_, inputs_per_round);
@@ -86,8 +79,7 @@ private:
     }
 
     Device &device_;
-    Kernel kernel_;
-    std::optional<Kernel> kernel_in_double_;
+    KernelInBoth kernel_;
 };
 
 }  // namespace

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "runtime/opencl/kernel.h"
 #include "runtime/selftest/examine.h"
 #include "runtime/selftest/extended.h"
 #include "runtime/selftest/input_source.h"
@@ -56,31 +54,27 @@ float any_random(InputSource &source) {
 
 class FilterPlaces final : public Subject {
 public:
-    FilterPlaces(Device &device, const FilterKind &kind) : device_(device), kind_(kind), mass_(kind.value), kernel_(build(false)) {
-        if (device.info().doubles) kernel_in_double_.emplace(build(true));
-    }
+    FilterPlaces(Device &device, const FilterKind &kind)
+        : device_(device),
+          kind_(kind),
+          mass_(kind.value),
+          kernel_(device, "kernels/selftest/filters.cl", "test_filter_places",
+                  {{"generated/filter.cl", fmt::format("#include \"kernels/filters/{}.cl\"\n", kind.file)}}) {}
 
     Findings examine(uint round) override {
         InputSource source(seed_of(16, round, 0));
         const float radius = kind_.has_radius ? source.uniform(0.5, 8) : kind_.radius;
         std::vector<float> randoms(inputs_per_round);
         for (float &random : randoms) random = any_random(source);
-        const std::vector<float> places = run<float>(kernel_, radius, randoms);
-        const std::vector<double> doubles = kernel_in_double_ ? run<double>(*kernel_in_double_, radius, randoms) : std::vector<double>();
+        const std::vector<float> places = run<float>(kernel_.in_float, radius, randoms);
+        const std::vector<double> doubles = kernel_.in_double ? run<double>(*kernel_.in_double, radius, randoms) : std::vector<double>();
         device_.finish();
         return examine_each(inputs_per_round, [&](std::size_t i, Findings &findings) {
-            look_at(radius, randoms[i], places[i], kernel_in_double_ ? &doubles[i] : nullptr, findings);
+            look_at(radius, randoms[i], places[i], kernel_.in_double ? &doubles[i] : nullptr, findings);
         });
     }
 
 private:
-    Kernel build(bool in_double) const {
-        return {device_,
-                "kernels/selftest/filters.cl",
-                "test_filter_places",
-                {{"generated/filter.cl", fmt::format("#include \"kernels/filters/{}.cl\"\n", kind_.file)}, precision(in_double)}};
-    }
-
     template <class Number> std::vector<Number> run(Kernel &kernel, float radius, const std::vector<float> &randoms) {
         const FilterParams params = filter_params(kind_, radius);
         std::vector<float> table = filter_table(kind_, radius);
@@ -118,8 +112,7 @@ private:
     Device &device_;
     const FilterKind &kind_;
     MassBeyond mass_;
-    Kernel kernel_;
-    std::optional<Kernel> kernel_in_double_;
+    KernelInBoth kernel_;
 };
 
 }  // namespace

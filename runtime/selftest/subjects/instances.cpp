@@ -1,10 +1,7 @@
 /// Instances: rays on their way into a group's space, surfaces on their way out, and the boxes in the world that rays must enter first.
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "kernels/core/items.h"
-#include "runtime/opencl/kernel.h"
 #include "runtime/selftest/describe.h"
 #include "runtime/selftest/examine.h"
 #include "runtime/selftest/extended_map.h"
@@ -118,9 +115,10 @@ double turn_of(Vector sum, Vector off) { return double(2 * length(off) / length(
 
 class Instances final : public Subject {
 public:
-    explicit Instances(Device &device) : device_(device), kernel_(build(false)) {
-        if (device.info().doubles) kernel_in_double_.emplace(build(true));
-    }
+    explicit Instances(Device &device)
+        : device_(device),
+          kernel_(device, "kernels/selftest/instances.cl", "test_instances",
+                  {{"generated/constants.h", "#pragma once\n#define INTERIOR_SIZE 0u\n#define INSTANCES 1\n"}}) {}
 
     Findings examine(uint round) override {
         std::vector<Case> cases(inputs_per_round);
@@ -128,27 +126,17 @@ public:
             InputSource source(seed_of(9, round, first));
             for (std::size_t i = first; i < last; ++i) cases[i] = any_case(source);
         });
-        const auto results = run<float>(kernel_, cases);
-        const auto doubles = kernel_in_double_ ? run<double>(*kernel_in_double_, cases) : std::vector<InstanceResult<double>>();
+        const auto results = run<float>(kernel_.in_float, cases);
+        const auto doubles = kernel_.in_double ? run<double>(*kernel_.in_double, cases) : std::vector<InstanceResult<double>>();
         device_.finish();
         return examine_each(inputs_per_round, [&](std::size_t i, Findings &findings) {
             look_at(cases[i], results[i], findings);
-            if (kernel_in_double_) compare(cases[i], results[i], doubles[i], findings);
+            if (kernel_.in_double) compare(cases[i], results[i], doubles[i], findings);
         });
     }
 
 private:
-    Kernel build(bool in_double) const {
-        return {device_,
-                "kernels/selftest/instances.cl",
-                "test_instances",
-                {{"generated/constants.h", "#pragma once\n#define INTERIOR_SIZE 0u\n#define INSTANCES 1\n"}, precision(in_double)}};
-    }
-
-    /// Of the header only spans are read, and these begin at 0.
     template <class Number> std::vector<InstanceResult<Number>> run(Kernel &kernel, const std::vector<Case> &cases) {
-        Buffer<std::byte> header(device_, 2 * sizeof(SceneHeader));
-        header.fill_zero();
         std::vector<InstanceOf<Number>> instances(1 + cases.size());
         std::vector<RayOf<Number>> rays(cases.size());
         std::vector<SurfaceOf<Number>> surfaces(cases.size());
@@ -162,7 +150,7 @@ private:
             }
         });
         Buffer<InstanceResult<Number>> results(device_, cases.size());
-        kernel(cases.size(), header, Buffer<InstanceOf<Number>>(device_, instances), Buffer<RayOf<Number>>(device_, rays),
+        kernel(cases.size(), empty_header(device_), Buffer<InstanceOf<Number>>(device_, instances), Buffer<RayOf<Number>>(device_, rays),
                Buffer<SurfaceOf<Number>>(device_, surfaces), static_cast<uint>(cases.size()), results);
         return results.read();
     }
@@ -252,8 +240,7 @@ private:
     }
 
     Device &device_;
-    Kernel kernel_;
-    std::optional<Kernel> kernel_in_double_;
+    KernelInBoth kernel_;
 };
 
 }  // namespace

@@ -7,9 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 
-#include "runtime/opencl/kernel.h"
 #include "runtime/selftest/examine.h"
 #include "runtime/selftest/input_source.h"
 #include "runtime/selftest/precision.h"
@@ -187,26 +185,23 @@ std::string text_of(const Bound &bound) {
 
 class ElementaryFunction final : public Subject {
 public:
-    ElementaryFunction(Device &device, const Function &function) : device_(device), function_(function), kernel_(build(false)) {
-        if (device.info().doubles && !function.bound.is_exact()) kernel_in_double_.emplace(build(true));
-    }
+    ElementaryFunction(Device &device, const Function &function)
+        : device_(device),
+          function_(function),
+          kernel_(device, "kernels/selftest/math.cl", std::string("test_") + function.name, {}, !function.bound.is_exact()) {}
 
     Findings examine(uint round) override {
         const Columns columns = make_columns(round);
-        const std::vector<float> values = run<float>(kernel_, columns);
-        const std::vector<double> doubles = kernel_in_double_ ? run<double>(*kernel_in_double_, columns) : std::vector<double>();
+        const std::vector<float> values = run<float>(kernel_.in_float, columns);
+        const std::vector<double> doubles = kernel_.in_double ? run<double>(*kernel_.in_double, columns) : std::vector<double>();
         device_.finish();
         return examine_each(inputs_per_round, [&](std::size_t i, Findings &findings) {
             const Arguments arguments = {columns[0][i], columns[1][i], columns[2][i], columns[3][i]};
-            look_at(arguments, values[i], kernel_in_double_ ? &doubles[i] : nullptr, findings);
+            look_at(arguments, values[i], kernel_.in_double ? &doubles[i] : nullptr, findings);
         });
     }
 
 private:
-    Kernel build(bool in_double) const {
-        return {device_, "kernels/selftest/math.cl", std::string("test_") + function_.name, {precision(in_double)}};
-    }
-
     Columns make_columns(uint round) const {
         Columns columns;
         for (auto &column : columns) column.resize(inputs_per_round);
@@ -254,8 +249,7 @@ private:
 
     Device &device_;
     const Function &function_;
-    Kernel kernel_;
-    std::optional<Kernel> kernel_in_double_;
+    KernelInBoth kernel_;
 };
 
 }  // namespace

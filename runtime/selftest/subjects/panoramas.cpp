@@ -3,9 +3,7 @@
 
 #include <cmath>
 #include <numbers>
-#include <optional>
 
-#include "runtime/opencl/kernel.h"
 #include "runtime/selftest/describe.h"
 #include "runtime/selftest/examine.h"
 #include "runtime/selftest/extended.h"
@@ -28,9 +26,7 @@ vec3 any_direction(InputSource &source) {
 
 class Panoramas final : public Subject {
 public:
-    explicit Panoramas(Device &device) : device_(device), kernel_(build(false)) {
-        if (device.info().doubles) kernel_in_double_.emplace(build(true));
-    }
+    explicit Panoramas(Device &device) : device_(device), kernel_(device, "kernels/selftest/panoramas.cl", "test_panoramas") {}
 
     Findings examine(uint round) override {
         std::vector<vec3> directions(inputs_per_round);
@@ -38,17 +34,15 @@ public:
         InputSource source(seed_of(17, round, 0));
         for (std::size_t i = 0; i < inputs_per_round; ++i)
             directions[i] = any_direction(source), turns[i] = source.one_in(4) ? 0.0f : source.uniform(-1, 1);
-        const std::vector<vec2> places = run<float>(kernel_, directions, turns);
-        const auto doubles = kernel_in_double_ ? run<double>(*kernel_in_double_, directions, turns) : std::vector<glm::dvec2>();
+        const std::vector<vec2> places = run<float>(kernel_.in_float, directions, turns);
+        const auto doubles = kernel_.in_double ? run<double>(*kernel_.in_double, directions, turns) : std::vector<glm::dvec2>();
         device_.finish();
         return examine_each(inputs_per_round, [&](std::size_t i, Findings &findings) {
-            look_at(directions[i], turns[i], places[i], kernel_in_double_ ? &doubles[i] : nullptr, findings);
+            look_at(directions[i], turns[i], places[i], kernel_.in_double ? &doubles[i] : nullptr, findings);
         });
     }
 
 private:
-    Kernel build(bool in_double) const { return {device_, "kernels/selftest/panoramas.cl", "test_panoramas", {precision(in_double)}}; }
-
     template <class Number>
     std::vector<glm::vec<2, Number>> run(Kernel &kernel, const std::vector<vec3> &directions, const std::vector<float> &turns) {
         Buffer<glm::vec<2, Number>> results(device_, inputs_per_round);
@@ -78,8 +72,7 @@ private:
     }
 
     Device &device_;
-    Kernel kernel_;
-    std::optional<Kernel> kernel_in_double_;
+    KernelInBoth kernel_;
 };
 
 }  // namespace

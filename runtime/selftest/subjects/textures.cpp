@@ -4,10 +4,8 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
-#include <optional>
 
 #include "kernels/textures/texture.h"
-#include "runtime/opencl/kernel.h"
 #include "runtime/selftest/examine.h"
 #include "runtime/selftest/extended.h"
 #include "runtime/selftest/input_source.h"
@@ -74,9 +72,7 @@ std::int64_t texel_number(std::int64_t i, uint count, bool clamps) {
 
 class Textures final : public Subject {
 public:
-    explicit Textures(Device &device) : device_(device), kernel_(build(false)) {
-        if (device.info().doubles) kernel_in_double_.emplace(build(true));
-    }
+    explicit Textures(Device &device) : device_(device), kernel_(device, "kernels/selftest/textures.cl", "test_textures") {}
 
     Findings examine(uint round) override {
         InputSource source(seed_of(12, round, 0));
@@ -88,18 +84,16 @@ public:
             records[i].flags = source.below(4);
             places[i] = {any_coordinate(source, records[i].width), any_coordinate(source, records[i].height)};
         }
-        const std::vector<vec3> colors = run<float, vec3>(kernel_, pictures, records, places);
-        const auto doubles = kernel_in_double_ ? run<double, glm::dvec3>(*kernel_in_double_, pictures, records, places) : std::vector<glm::dvec3>();
+        const std::vector<vec3> colors = run<float, vec3>(kernel_.in_float, pictures, records, places);
+        const auto doubles = kernel_.in_double ? run<double, glm::dvec3>(*kernel_.in_double, pictures, records, places) : std::vector<glm::dvec3>();
         device_.finish();
         return examine_each(inputs_per_round, [&](std::size_t i, Findings &findings) {
             for (int c = 0; c < 3; ++c)
-                look_at(pictures, records[i], places[i], c, colors[i][c], kernel_in_double_ ? &doubles[i][c] : nullptr, findings);
+                look_at(pictures, records[i], places[i], c, colors[i][c], kernel_.in_double ? &doubles[i][c] : nullptr, findings);
         });
     }
 
 private:
-    Kernel build(bool in_double) const { return {device_, "kernels/selftest/textures.cl", "test_textures", {precision(in_double)}}; }
-
     template <class Number, class Color>
     std::vector<Color> run(Kernel &kernel, const Pictures &pictures, const std::vector<TextureRecord> &records, const std::vector<vec2> &places) {
         const std::vector<glm::vec<2, Number>> wide(places.begin(), places.end());
@@ -138,8 +132,7 @@ private:
     }
 
     Device &device_;
-    Kernel kernel_;
-    std::optional<Kernel> kernel_in_double_;
+    KernelInBoth kernel_;
 };
 
 }  // namespace

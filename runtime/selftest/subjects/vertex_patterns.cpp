@@ -2,11 +2,9 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <optional>
 
 #include "kernels/core/scene.h"
 #include "kernels/primitives/triangle.h"
-#include "runtime/opencl/kernel.h"
 #include "runtime/selftest/examine.h"
 #include "runtime/selftest/extended.h"
 #include "runtime/selftest/input_source.h"
@@ -56,18 +54,16 @@ Cases make_cases(std::uint64_t seed) {
 
 class VertexPatterns final : public Subject {
 public:
-    explicit VertexPatterns(Device &device) : device_(device), kernel_(build(false)) {
-        if (device.info().doubles) kernel_in_double_.emplace(build(true));
-    }
+    explicit VertexPatterns(Device &device) : device_(device), kernel_(device, "kernels/selftest/vertex_patterns.cl", "test_vertex_patterns") {}
 
     Findings examine(uint round) override {
         const Cases cases = make_cases(seed_of(15, round, 0));
-        const auto results = run<float>(kernel_, cases);
-        const auto doubles = kernel_in_double_ ? run<double>(*kernel_in_double_, cases) : std::vector<PatternOf<double>>();
+        const auto results = run<float>(kernel_.in_float, cases);
+        const auto doubles = kernel_.in_double ? run<double>(*kernel_.in_double, cases) : std::vector<PatternOf<double>>();
         device_.finish();
         return examine_each(inputs_per_round, [&](std::size_t i, Findings &findings) {
             const float *uvs = &cases.table[numbers * i], *colors = uvs + first_color;
-            const PatternOf<double> *exact = kernel_in_double_ ? &doubles[i] : nullptr;
+            const PatternOf<double> *exact = kernel_.in_double ? &doubles[i] : nullptr;
             ++findings.hits;
             for (uint k = 0; k < 2; ++k)
                 look_at(Quantity::uv, {uvs[k], uvs[2 + k], uvs[4 + k]}, cases.weights[i], results[i].uv[k], exact ? &exact->uv[k] : nullptr,
@@ -79,14 +75,9 @@ public:
     }
 
 private:
-    Kernel build(bool in_double) const { return {device_, "kernels/selftest/vertex_patterns.cl", "test_vertex_patterns", {precision(in_double)}}; }
-
-    /// Of the header only spans are read, and these begin at 0.
     template <class Number> std::vector<PatternOf<Number>> run(Kernel &kernel, const Cases &cases) {
-        Buffer<std::byte> header(device_, 2 * sizeof(SceneHeader));
-        header.fill_zero();
         Buffer<PatternOf<Number>> results(device_, inputs_per_round);
-        kernel(inputs_per_round, header, Buffer<Number>(device_, std::vector<Number>(cases.table.begin(), cases.table.end())),
+        kernel(inputs_per_round, empty_header(device_), Buffer<Number>(device_, std::vector<Number>(cases.table.begin(), cases.table.end())),
                Buffer<ShadingRecord>(device_, cases.records),
                Buffer<glm::vec<2, Number>>(device_, std::vector<glm::vec<2, Number>>(cases.weights.begin(), cases.weights.end())),
                static_cast<uint>(inputs_per_round), results);
@@ -107,8 +98,7 @@ private:
     }
 
     Device &device_;
-    Kernel kernel_;
-    std::optional<Kernel> kernel_in_double_;
+    KernelInBoth kernel_;
 };
 
 }  // namespace

@@ -1,0 +1,45 @@
+#include "runtime/wavefront/pixel_halves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace brandung {
+namespace {
+
+constexpr double unit = 0x1p-32;  ///< of sums; their squares' is its square
+
+long double value_of(Integer128 x) { return static_cast<long double>(static_cast<std::int64_t>(x.high)) * 0x1p64L + x.low; }
+
+}  // namespace
+
+PixelHalves::PixelHalves(const FilmPixel &pixel) {
+    for (const std::size_t half : {0, 1}) {
+        const long double n = counts[half] = pixel.counts[half];
+        for (std::size_t c = 0; c < 3; ++c) {
+            const long double sum = value_of(pixel.sums[half][c]), squares = value_of(pixel.squares[half][c]);
+            means[half][c] = n < 1 ? 0 : static_cast<double>(sum / n * unit);
+            variances[half][c] = n < 2 ? 0 : static_cast<double>(std::max((squares - sum * sum / n) / ((n - 1) * n) * (unit * unit), 0.0L));
+        }
+    }
+}
+
+double PixelHalves::squared_error_by_halves(std::size_t c) const {
+    const double difference = means[0][c] - means[1][c];
+    return difference * difference * share(0) * share(1);
+}
+
+double PixelHalves::squared_error_by_squares(std::size_t c) const {
+    return share(0) * share(0) * variances[0][c] + share(1) * share(1) * variances[1][c];
+}
+
+vec3 standard_error(const FilmPixel &film_pixel) {
+    const PixelHalves pixel(film_pixel);
+    if (!pixel.has_two_samples()) return vec3(std::numeric_limits<float>::infinity());
+    const auto error = [&](std::size_t c) {
+        return static_cast<float>(std::sqrt(pixel.has_variances() ? pixel.squared_error_by_squares(c) : pixel.squared_error_by_halves(c)));
+    };
+    return {error(0), error(1), error(2)};
+}
+
+}  // namespace brandung

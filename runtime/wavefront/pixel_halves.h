@@ -1,0 +1,27 @@
+/// What the film's exact sums say of a pixel: means of its halves of samples, and errors of these means.
+#pragma once
+#include "kernels/core/items.h"
+
+namespace brandung {
+
+/// A pixel's two halves of samples: their means, and what their samples say of these means' variances, per channel.
+struct PixelHalves {
+    explicit PixelHalves(const FilmPixel &pixel);
+
+    double count() const { return counts[0] + counts[1]; }
+    double share(std::size_t half) const { return counts[half] / count(); }
+    bool has_two_samples() const { return counts[0] > 0 && counts[1] > 0; }
+    bool has_variances() const { return counts[0] > 1 && counts[1] > 1; }
+    double mean(std::size_t c) const { return share(0) * means[0][c] + share(1) * means[1][c]; }
+    double squared_error_by_halves(std::size_t c) const;   ///< D² of NoiseSums
+    double squared_error_by_squares(std::size_t c) const;  ///< S of NoiseSums
+
+    double counts[2], means[2][3];
+    double variances[2][3];  ///< 0 where one sample leaves it unknown
+};
+
+/// Standard error of each channel of a pixel's value, from the squares of its samples, if there are four: too large where these are stratified.
+/// Infinite below two samples, of which it is not known.
+vec3 standard_error(const FilmPixel &pixel);
+
+}  // namespace brandung
