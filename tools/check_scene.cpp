@@ -1,5 +1,6 @@
 /// brandung check: reads a scene and all that it names, reports, and renders nothing. Needs no OpenCL device.
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include "runtime/integrators/integrator.h"
 #include "tools/commands.h"

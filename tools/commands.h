@@ -1,6 +1,9 @@
 /// The subcommands: each adds its options to the program and sets the exit status when it runs.
 #pragma once
-#include <CLI/App.hpp>
+
+namespace CLI {
+class App;
+}
 
 namespace brandung {
 

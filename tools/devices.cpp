@@ -1,5 +1,6 @@
 /// brandung devices: platforms and devices, and which one would be chosen.
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include <nlohmann/json.hpp>
 

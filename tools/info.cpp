@@ -1,5 +1,6 @@
 /// brandung info: what a scene contains, and what rendering it will take.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "tools/commands.h"
 #include "tools/report.h"

@@ -1,11 +1,14 @@
 /// The pictures that a render writes.
 #pragma once
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tools/job.h"
+
+namespace CLI {
+class App;
+}
 
 namespace brandung {
 

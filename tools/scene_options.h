@@ -1,11 +1,14 @@
 /// What render and info are told in the same way: a scene, changes to its settings, and on what it is rendered.
 #pragma once
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "scene/formats/format.h"
+
+namespace CLI {
+class App;
+}
 
 namespace brandung {
 
