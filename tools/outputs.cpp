@@ -6,13 +6,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "brandung_version.h"
-#include "scene/filters/filter.h"
 #include "scene/image.h"
-#include "scene/samplers/sampler.h"
-#include "scene/scene_hash.h"
 #include "scene/tone.h"
 #include "tools/numbers.h"
+#include "tools/provenance.h"
 #include "tools/report.h"
 
 namespace brandung {
@@ -45,27 +42,14 @@ std::string names(const nlohmann::json &list) {
 }
 
 std::map<std::string, std::string> metadata(const Job &job, const PhaseSeconds &seconds, const RenderEnd &end, bool running, float exposure) {
-    const char *const positions[] = {"corner", "center", "random"};
-    const FilmSettings &film = job.scene.film;
-    std::map<std::string, std::string> metadata = {{"Software", "brandung " BRANDUNG_VERSION " (" BRANDUNG_GIT ")"},
+    std::map<std::string, std::string> metadata = {{"Software", program_version()},
                                                    {"brandung:scene", job.scene.file},
-                                                   {"brandung:scene_hash", fmt::format("{:016x}", scene_hash(job.scene, job.compiled))},
-                                                   {"brandung:camera", job.camera.name},
-                                                   {"brandung:integrator", job.scene.integrator.type},
-                                                   {"brandung:max_depth", std::to_string(job.scene.integrator.max_depth)},
-                                                   {"brandung:threshold", fmt::format("{}", job.scene.integrator.threshold)},
-                                                   {"brandung:light_samples", std::to_string(job.scene.integrator.light_samples)},
-                                                   {"brandung:follow", job.scene.integrator.follows_one ? "one" : "both"},
-                                                   {"brandung:shadows", job.scene.integrator.filtered_shadows ? "filtered" : "opaque"},
+                                                   {"brandung:scene_hash", scene_fingerprint(job)},
                                                    {"brandung:spp", std::to_string(end.spp)},
-                                                   {"brandung:seed", std::to_string(film.seed)},
-                                                   {"brandung:sampler", sampler_kinds()[film.sampler].name},
-                                                   {"brandung:filter", filter_kinds()[film.filter].name},
-                                                   {"brandung:filter_radius", fmt::format("{}", film.filter_radius)},
-                                                   {"brandung:pixel", positions[film.pixel]},
                                                    {"brandung:exposure", fmt::format("{}", exposure)},
-                                                   {"brandung:tone", tone_kinds()[film.tone].name},
+                                                   {"brandung:tone", tone_kinds()[job.scene.film.tone].name},
                                                    {"brandung:statistics", statistics(job, seconds, end).dump()}};
+    for (const auto &[name, value] : settings_of(job)) metadata["brandung:" + name] = value;
     if (!job.distrust.empty()) metadata.insert({"brandung:distrust", job.distrust});
     if (end.noise)
         metadata.insert({{"brandung:noise", fmt::format("{:.6g}", end.noise->relmse)},

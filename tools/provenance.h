@@ -1,0 +1,17 @@
+/// Provenance: what a result was made from, and by what.
+#pragma once
+#include <map>
+#include <string>
+
+#include "tools/job.h"
+
+namespace brandung {
+
+/// "brandung 1.0 (commit)"
+std::string program_version();
+/// Of what the scene contains, however it is rendered, in hexadecimal digits.
+std::string scene_fingerprint(const Job &job);
+/// All settings that decide radiance but for size and samples, as in metadata of pictures: {"sampler": "sobol", "max_depth": "5", ...}.
+std::map<std::string, std::string> settings_of(const Job &job);
+
+}  // namespace brandung
