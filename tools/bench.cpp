@@ -2,10 +2,9 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <memory>
 
-#include "scene/error.h"
+#include "tools/bench/comparison.h"
 #include "tools/bench/report.h"
 #include "tools/commands.h"
 #include "tools/interruption.h"
@@ -24,20 +23,13 @@ struct Options : SceneOptions {
     bool as_json = false, quiet = false;
 };
 
-json read_old(const std::string &file) {
-    std::ifstream in(file);
-    if (!in) throw SceneError(file + ": no such file");
-    json old = json::parse(in, nullptr, false);
-    if (!old.is_object() || !old.contains("kernels") || !old["kernels"].is_array()) throw SceneError(file + ": is not what bench --json gives");
-    return old;
-}
-
 int run(const Options &options) {
-    const json old = options.compared.empty() ? json() : read_old(options.compared);
+    const json earlier = options.compared.empty() ? json() : read_earlier_bench(options.compared);
     const Scene scene = read_scene(options);
     ProgressLine progress(options.quiet);
     Job job(scene, options,
             {.on_build = [&](const std::string &file) { progress.say("building " + file); }, .on_built = {}, .on_launch = {}, .on_step = {}});
+    if (!earlier.is_null()) check_same_work(bench_subject(job, options.batch), earlier, options.compared);
     handle_interruptions();
     const Measurements measurements = measure(job, options.runs, [&](uint run) {
         progress.say(run == 0 ? "warming up" : fmt::format("run {} of {}", run, options.runs));
@@ -49,8 +41,8 @@ int run(const Options &options) {
         return interrupted_status;
     }
     json bench = bench_json(job, options.batch, measurements);
-    if (!old.is_null()) bench["comparison"] = comparison_json(bench, old);
-    print_result(options.as_json ? bench.dump(2) + "\n" : bench_text(bench) + (old.is_null() ? "" : "\n" + comparison_text(bench)));
+    if (!earlier.is_null()) bench["comparison"] = comparison_json(bench, earlier);
+    print_result(options.as_json ? bench.dump(2) + "\n" : bench_text(bench) + (earlier.is_null() ? "" : "\n" + comparison_text(bench)));
     return 0;
 }
 
@@ -62,16 +54,22 @@ void add_bench(CLI::App &app, int &status) {
     add_scene_options(*command, *options);
     add_device_options(*command, *options);
     command->footer(
-        "ns·core: nanoseconds per item, times compute units. GB/s: of the records in arrays of which an item has one; what is looked up in the "
-        "scene\n"
-        "does not count. %copy: of what the device copies at most. %launch: that as many empty launches would take. %wave: of a full batch per "
-        "launch.\n"
+        "items: what launches were made for; of shadow rays their slots, of which not all need a ray. ns·core: nanoseconds per item, times compute\n"
+        "units. B/item: bytes that an item reads and writes in arrays of records; the scene's few materials and lights do not count, and where a "
+        "kernel\n"
+        "searches the scene or a list nothing can be told (-). %copy: of the bytes per second that the device copies at most; floating-point "
+        "operations\n"
+        "are not counted, so that this is the only roof. %launch: of the time from when the device could have begun a launch, since it was told to "
+        "and\n"
+        "had nothing else to do, until it ended, the part before it began. %wave: items of a launch over those for which its queue has room (-: "
+        "works\n"
+        "on no queue).\n"
         "Example:\n  brandung bench scene.json --json > before.json; brandung bench scene.json --compare before.json");
     command->option_defaults()->group("Bench");
     command->add_option("--runs", options->runs, "renders that are measured, after one to warm up")
         ->check(whole_numbers(1u, 1000u))
         ->capture_default_str();
-    command->add_option("--compare", options->compared, "what --json gave before: times per item are compared");
+    command->add_option("--compare", options->compared, "what --json gave before, of the same scene and settings: times per item are compared");
     command->add_flag("--json", options->as_json, "print JSON");
     command->add_flag("--quiet", options->quiet, "no progress");
     command->callback([options, &status] { status = run(*options); });

@@ -40,11 +40,11 @@ public:
           directions_(job.device, job.batch),
           contributions_(job.device, job.batch),
           refused_(job.device, 1),
-          no_bytes_(job.device, 1),
-          no_words_(job.device, 1),
-          no_floats_(job.device, 1),
-          no_tints_(job.device, 1),
-          no_spectra_(job.device, 1),
+          no_bytes_(job.device, 0),
+          no_words_(job.device, 0),
+          no_floats_(job.device, 0),
+          no_tints_(job.device, 0),
+          no_spectra_(job.device, 0),
           counter_(job.device, generate_.work_items(job.batch) * std::clamp(light_count_, 1u, lights_per_block)) {
         if (job.device.info().cpu) intersect_packets_.emplace(job.device, "kernels/stages/intersect_packets.cl", "intersect_packets", scene_.lists());
         if (branching_ > 0 || !intersect_packets_) intersect_.emplace(job.device, "kernels/stages/intersect.cl", "intersect", scene_.lists());
@@ -63,19 +63,21 @@ public:
         Level &first = levels_.start(batch.count());
         if (media_) start_interiors(first, batch);
         if (instances_) first.sources.fill_zero();
-        generate_(batch.count(), batch.camera, batch.params, filter_, batch.pixels, batch.count(), first.rays, first.paths, first.live, samples);
+        generate_(batch.count(), batch.camera, batch.params, filter_, several(batch.pixels, 1.0 / batch.params.samples), batch.count(), first.rays,
+                  first.paths, first.live, samples);
         while (const auto wave = levels_.next()) {
             if (observer) observation_->begin(*wave);
             trace(*wave);
             evaluate_(wave->count, scene_, *wave, wave->level.rays, hits_, hit_instances_, media_ ? media_->etas : no_floats_, points_, interfaces_,
                       directions_);
             if (pictures_)
-                pictures_->look_up(wave->count, scene_, scene_.texels(), *wave, wave->level.rays, hits_, hit_instances_, points_, pictures_->tints);
+                pictures_->look_up(wave->count, scene_, shared(scene_.texels()), *wave, wave->level.rays, hits_, hit_instances_, points_,
+                                   pictures_->tints);
             if (batch.aovs && wave->generation == 0) batch.aovs->record(batch, scene_, *wave, hits_, hit_instances_, points_, tints());
             if (wave->children)
                 spawn(*wave);
             else if (secondary_)
-                secondary_->count_cut(wave->count, scene_, wave->count, points_, secondary_->cut);
+                secondary_->count_cut(wave->count, scene_.tables(), wave->count, points_, shared(secondary_->cut));
             for (uint light = 0; light == 0 || light < light_count_; light += lights_per_block) shade(*wave, light, samples);
             if (observer) show(*wave, *observer);
             if (wave->children) levels_.add_children(*wave, secondary_->compact.counts().read().at(0));
@@ -140,19 +142,20 @@ private:
     void trace(const Wave &wave) {
         Kernel &intersect = intersect_packets_ && wave.generation <= 1 ? *intersect_packets_ : *intersect_;
         intersect(wave.count, scene_, wave, wave.level.rays, wave.level.sources, hits_, hit_instances_, media_ ? media_->crowded : no_bytes_,
-                  counter_.tallies());
+                  shared(counter_.tallies()));
         counter_.add(intersect.work_items(wave.count));
         if (!media_) return;
-        media_->find(wave.count, scene_, wave, wave.level.rays, wave.level.sources, hits_, hit_instances_, media_->crowded, wave.level.interiors,
-                     media_->beyond, media_->etas, media_->lost, counter_.tallies());
+        media_->find(wave.count, scene_, wave, wave.level.rays, wave.level.sources, hits_, hit_instances_, media_->crowded,
+                     media(wave.level.interiors), media(media_->beyond), media_->etas, shared(media_->lost), shared(counter_.tallies()));
         counter_.add(media_->find.work_items(wave.count));
     }
 
     void spawn(const Wave &wave) {
         Level &below = *wave.children;
-        secondary_->spawn(wave.count, scene_, params_, wave, wave.level.paths, points_, interfaces_, directions_, hit_instances_,
-                          wave.level.interiors, media_ ? media_->beyond : no_words_, wave.base, below.rays, below.paths, below.sources,
-                          below.interiors, secondary_->alive);
+        secondary_->spawn(wave.count, scene_.tables(), params_, wave, wave.level.paths, points_, interfaces_, directions_, hit_instances_,
+                          media(wave.level.interiors), media(media_ ? media_->beyond : no_words_), wave.base, children(below.rays),
+                          children(below.paths), children(below.sources), several(below.interiors, branching_ * interior_size_),
+                          children(secondary_->alive));
         const uint slots = wave.count * branching_;
         secondary_->compact(secondary_->alive, slots, slots, 1, wave.base, below.end, below.live);
     }
@@ -162,28 +165,34 @@ private:
         const uint rows = std::min(light_count_ - light, lights_per_block), stride = shadows_ ? shadows_->stride : 0;
         if (rows > 0) trace_shadows(wave, light, rows);
         const Buffer<std::uint8_t> &visible = shadows_ ? shadows_->visible : no_bytes_;
-        shade_(wave.count, scene_, wave, uint{light == 0}, light, rows, stride, wave.level.paths, points_, directions_, tints(), visible,
-               shadow_filter_ ? shadow_filter_->filters : no_spectra_, contributions_);
-        accumulate_(wave.count, wave, wave.level.paths, contributions_, samples, refused_);
+        shade_(wave.count, scene_.tables(), wave, uint{light == 0}, light, rows, stride, wave.level.paths, points_, directions_, tints(),
+               several(visible, rows), several(shadow_filter_ ? shadow_filter_->filters : no_spectra_, rows), contributions_);
+        accumulate_(wave.count, wave, wave.level.paths, contributions_, updated(samples), shared(refused_));
         if (observation_) record_lights(wave, rows);
     }
+
+    /// Arrays that have a record for each child of an item, or each entry of its list of media.
+    template <class T> Access children(const Buffer<T> &buffer) const { return several(buffer, branching_); }
+    Access media(const Buffer<uint> &buffer) const { return several(buffer, interior_size_); }
 
     const Buffer<Tints> &tints() const { return pictures_ ? pictures_->tints : no_tints_; }
 
     void trace_shadows(const Wave &wave, uint light, uint rows) {
         Shadows &shadows = *shadows_;
         const uint count = wave.count;
-        shadows.spawn(Grid(count, rows), scene_, wave, light, shadows.stride, wave.level.paths, points_, interfaces_, shadows.rays, shadows.visible);
+        shadows.spawn(Grid(count, rows), scene_.tables(), wave, light, shadows.stride, wave.level.paths, points_, interfaces_,
+                      in_rows(shadows.rays, shadows.rows), in_rows(shadows.visible, shadows.rows));
         shadows.compact(shadows.visible, shadows.stride, count, rows, 0, 0, shadows.live);
         if (observation_) record_shadow_rays(wave, light, rows);
         // Shadow rays from the first reflections are scattered already: one by one they are faster.
         Kernel &trace = shadows.trace_packets && wave.generation == 0 ? *shadows.trace_packets : shadows.trace_singly;
-        trace(Grid(count, rows), scene_, shadows.live, shadows.compact.counts(), shadows.stride, shadows.rays, hit_instances_, shadows.visible,
-              counter_.tallies());
+        const Access live = in_rows(shadows.live, shadows.rows), rays = in_rows(shadows.rays, shadows.rows);
+        const Access visible = in_rows(shadows.visible, shadows.rows), counts = shared(shadows.compact.counts());
+        trace(Grid(count, rows), scene_, live, counts, shadows.stride, rays, hit_instances_, visible, shared(counter_.tallies()));
         counter_.add(trace.work_items(count) * rows);
         if (!shadow_filter_) return;
-        shadow_filter_->filter(Grid(count, rows), scene_, shadows.live, shadows.compact.counts(), shadows.stride, shadows.rays, hit_instances_,
-                               shadows.visible, shadow_filter_->filters);
+        shadow_filter_->filter(Grid(count, rows), scene_, live, counts, shadows.stride, rays, hit_instances_, visible,
+                               in_rows(shadow_filter_->filters, shadows.rows));
     }
 
     /// A block of lights from `light` on, before its shadow rays are traced.

@@ -36,7 +36,10 @@ void RawBuffer::read_bytes(std::size_t offset, std::span<std::byte> bytes) const
 
 void RawBuffer::fill_zero() {
     if (bytes_ == 0) return;
-    attempt("clearing a buffer", [&] { device_->implementation().queue.enqueueFillBuffer(implementation_->memory, cl_uchar{0}, 0, bytes_); });
+    PendingLaunch filling{.kernel = "", .items = 0, .rows = 0, .traffic = {}, .event = {}};
+    attempt("clearing a buffer",
+            [&] { device_->implementation().queue.enqueueFillBuffer(implementation_->memory, cl_uchar{0}, 0, bytes_, nullptr, &filling.event); });
+    device_->implementation().pending.push_back(std::move(filling));
 }
 
 }  // namespace brandung

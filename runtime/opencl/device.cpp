@@ -114,6 +114,17 @@ void tell_launch(Device::Implementation &device, const PendingLaunch &launch, cl
     device.on_launch({launch.kernel, launch.items, launch.enqueued, on_host(start), on_host(end)});
 }
 
+/// `possible`: when it could have begun. All times are of the device's clock [ns].
+void add_launch(const PendingLaunch &launch, cl_ulong possible, cl_ulong start, cl_ulong end, KernelProfile &profile) {
+    const double items = static_cast<double>(launch.items);
+    profile.launches += 1;
+    profile.items += launch.items;
+    profile.milliseconds += static_cast<double>(end - start) * 1e-6;
+    profile.waiting_milliseconds += static_cast<double>(start - std::min(start, possible)) * 1e-6;
+    profile.bytes = profile.bytes && launch.traffic.item_bytes ? std::optional(*profile.bytes + items * *launch.traffic.item_bytes) : std::nullopt;
+    profile.capacity += launch.traffic.capacity * static_cast<double>(launch.rows);
+}
+
 }  // namespace
 
 Device Device::select(const std::string &name, uint threads) {
@@ -161,11 +172,10 @@ void Device::finish() {
     for (const PendingLaunch &launch : implementation_->pending) {
         const auto start = launch.event.getProfilingInfo<CL_PROFILING_COMMAND_START>();
         const auto end = launch.event.getProfilingInfo<CL_PROFILING_COMMAND_END>();
-        KernelProfile &profile = implementation_->profile[launch.kernel];
-        profile.launches += 1;
-        profile.items += launch.items;
-        profile.bytes += launch.bytes;
-        profile.milliseconds += static_cast<double>(end - start) * 1e-6;
+        const auto possible = std::max(implementation_->busy_until, launch.event.getProfilingInfo<CL_PROFILING_COMMAND_QUEUED>());
+        implementation_->busy_until = end;
+        if (launch.kernel.empty()) continue;
+        add_launch(launch, possible, start, end, implementation_->profile[launch.kernel]);
         if (implementation_->on_launch) tell_launch(*implementation_, launch, start, end);
     }
     implementation_->pending.clear();

@@ -8,15 +8,17 @@
 #include <set>
 #include <vector>
 
-#include "runtime/opencl/device.h"
+#include "runtime/opencl/access.h"
 
 namespace brandung {
 
 inline double steady_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
+/// Of a kernel, or without a name of something else that the device does in between.
 struct PendingLaunch {
     std::string kernel;
-    std::uint64_t items, bytes;
+    std::uint64_t items, rows;
+    Traffic traffic;
     cl::Event event;
     double enqueued = steady_seconds();
 };
@@ -29,6 +31,7 @@ struct Device::Implementation {
     std::map<std::string, cl::Program> programs;  ///< expanded text -> program
     std::set<std::string> kernels;                ///< names of those made so far
     std::vector<PendingLaunch> pending;
+    cl_ulong busy_until = 0;  ///< by the device's clock [ns]: when the last one known to be done had ended
     Profile profile;
     double build_seconds = 0;
     std::function<void(const std::string &)> on_build;

@@ -45,7 +45,7 @@ std::size_t Kernel::work_items(std::size_t items) const {
 void Kernel::launch(Grid grid, uint arguments) {
     if (arguments != implementation_->parameters)
         throw Error("kernel " + name_ + " takes " + std::to_string(implementation_->parameters) + " arguments, got " + std::to_string(arguments));
-    PendingLaunch launch{.kernel = name_, .items = grid.items * grid.rows, .bytes = grid.items * grid.rows * item_bytes_, .event = {}};
+    PendingLaunch launch{.kernel = name_, .items = grid.items * grid.rows, .rows = grid.rows, .traffic = traffic_, .event = {}};
     attempt("launching " + name_, [&] {
         device_->implementation().queue.enqueueNDRangeKernel(implementation_->kernel, cl::NullRange, cl::NDRange(work_items(grid.items), grid.rows),
                                                              cl::NDRange(group_size(device_->info()), 1), nullptr, &launch.event);

@@ -4,7 +4,7 @@
 #include <string>
 #include <type_traits>
 
-#include "runtime/opencl/buffer.h"
+#include "runtime/opencl/access.h"
 #include "runtime/opencl/source.h"
 
 namespace brandung {
@@ -23,12 +23,12 @@ public:
     Kernel(Kernel &&) noexcept;
     ~Kernel();
 
-    /// Launches with exactly the kernel's parameters, in order: buffers, trivially copyable values, and things that hand out several
-    /// parameters by `for_each_argument`. Returns at once. Throws Error on a wrong number of arguments or a refused launch.
+    /// Launches with exactly the kernel's parameters, in order: buffers, as they are or with their Access, trivially copyable values, and things that
+    /// hand out several parameters by `for_each_argument`. Returns at once. Throws Error on a wrong number of arguments or a refused launch.
     template <class... Arguments> void operator()(Grid grid, const Arguments &...arguments) {
         if (grid.items == 0 || grid.rows == 0) return;
         uint index = 0;
-        items_ = grid.items, item_bytes_ = 0;
+        traffic_ = {};
         (bind(index, arguments), ...);
         launch(grid, index);
     }
@@ -37,10 +37,11 @@ public:
 
 private:
     template <class T> void bind(uint &index, const T &value) {
-        if constexpr (std::is_base_of_v<RawBuffer, T>) {
-            set_buffer(index++, value);
-            if constexpr (requires { value.size(); })
-                if (value.size() >= items_) item_bytes_ += value.bytes() / value.size();
+        if constexpr (std::is_same_v<T, Access>) {
+            set_buffer(index++, value.buffer);
+            traffic_.add(value);
+        } else if constexpr (std::is_base_of_v<RawBuffer, T>) {
+            bind(index, one_each(value));
         } else if constexpr (requires { value.for_each_argument([](const auto &) {}); }) {
             value.for_each_argument([&](const auto &argument) { bind(index, argument); });
         } else {
@@ -56,7 +57,7 @@ private:
     Device *device_;
     std::string name_;
     uint items_per_work_item_;
-    std::size_t items_ = 0, item_bytes_ = 0;  ///< of the next launch, and of the records that arrays have for each of them
+    Traffic traffic_;  ///< of the next launch
     std::unique_ptr<Implementation> implementation_;
 };
 

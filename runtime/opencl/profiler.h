@@ -2,14 +2,17 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace brandung {
 
 struct KernelProfile {
     std::uint64_t launches = 0, items = 0;
-    double milliseconds = 0;
-    std::uint64_t bytes = 0;  ///< of records in arrays that have one for every item, once per item
+    double milliseconds = 0;          ///< that the device ran it
+    double waiting_milliseconds = 0;  ///< from when the device could have begun, since it was told to and had nothing else to do, until it did
+    std::optional<double> bytes = 0;  ///< that its items read and wrote in arrays of records; nothing where that depends on what these say
+    double capacity = 0;              ///< items that all its launches would have had, had its queues been full; 0 if it works on no queue
 };
 /// One launch that has been done. Times are seconds of the host's steady clock.
 struct Launch {

@@ -92,14 +92,16 @@ void Aovs::record(const Batch &batch, const DeviceScene &scene, const Wave &wave
     for (Mean &mean : means_) mean.record(wave.count, scene, wave, wave.level.rays, hits, points, tints, mean.values);
     for (Number &number : numbers_)
         for (Band<uint> &band : number.numbers)
-            number.record(wave.count, batch.params, band.params, wave, batch.pixels, hits, instances, band.pixels);
+            number.record(wave.count, batch.params, band.params, wave, several(batch.pixels, 1.0 / batch.params.samples), hits, instances,
+                          data_dependent(band.pixels));
 }
 
 void Aovs::add(const Batch &batch, Filter &filter) {
     for (Mean &mean : means_) {
         if (mean.kind.what == AovKind::filtered) filter.weigh(batch, mean.values);
         for (Band<AovPixel> &band : mean.sums)
-            (*add_)(batch.params.pixels, batch.params, band.params, mean.scale, batch.pixels, mean.values, band.pixels);
+            (*add_)(batch.params.pixels, batch.params, band.params, mean.scale, batch.pixels, several(mean.values, batch.params.samples),
+                    updated(band.pixels));
     }
 }
 

@@ -1,11 +1,11 @@
 /// A compiled scene on a device.
 #pragma once
-#include "runtime/opencl/buffer.h"
+#include "runtime/opencl/access.h"
 #include "runtime/wavefront/specialization.h"
 
 namespace brandung {
 
-/// As kernel argument it is SCENE_PARAMS: header and arena.
+/// As kernel argument it is SCENE_PARAMS, header and arena, for kernels that look for something among the primitives.
 class DeviceScene {
 public:
     /// Copies records and texels to the device, and writes the generated files. Throws Error if one allocation of the device cannot hold the arena or
@@ -17,7 +17,13 @@ public:
           lights_(scene.header.lights),
           lists_(specialize(scene)) {}
 
-    template <class Bind> void for_each_argument(Bind bind) const { bind(header_), bind(arena_); }
+    template <class Bind> void for_each_argument(Bind bind) const { bind(shared(header_)), bind(data_dependent(arena_)); }
+    /// The same for kernels that look nothing up but materials and lights, of which there are few.
+    struct Tables {
+        const DeviceScene &scene;
+        template <class Bind> void for_each_argument(Bind bind) const { bind(shared(scene.header_)), bind(shared(scene.arena_)); }
+    };
+    Tables tables() const { return {*this}; }
     /// Replaces a light by one of the same kind, from the next launch on.
     void write_light(uint row, const Light &light) {
         arena_.write_bytes(std::size_t{64} * lights_.offset + sizeof light * row, std::as_bytes(std::span(&light, 1)));

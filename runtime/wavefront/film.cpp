@@ -32,7 +32,9 @@ Film::Film(Device &device, const Window &window, std::size_t largest_band)
 }
 
 void Film::add(const Batch &batch, const Buffer<Sample> &samples) {
-    for (Band<FilmPixel> &band : bands_) add_samples_(batch.params.pixels, batch.params, band.params, batch.pixels, samples, band.pixels, clamped_);
+    const Access of_batch = several(samples, batch.params.samples);
+    for (Band<FilmPixel> &band : bands_)
+        add_samples_(batch.params.pixels, batch.params, band.params, batch.pixels, of_batch, updated(band.pixels), shared(clamped_));
 }
 
 std::vector<vec3> Film::develop() {

@@ -32,11 +32,12 @@ Filter::Filter(Device &device, const FilmSettings &film, const Sources &lists)
 }
 
 void Filter::weigh(const Batch &batch, Buffer<Sample> &samples) {
-    if (weigh_) (*weigh_)(batch.count(), batch.params, params_, batch.pixels, batch.count(), samples);
+    if (weigh_) (*weigh_)(batch.count(), batch.params, params_, several(batch.pixels, 1.0 / batch.params.samples), batch.count(), updated(samples));
 }
 
 void Filter::weigh(const Batch &batch, Buffer<vec3> &values) {
-    if (weigh_values_) (*weigh_values_)(batch.count(), batch.params, params_, batch.pixels, batch.count(), values);
+    if (weigh_values_)
+        (*weigh_values_)(batch.count(), batch.params, params_, several(batch.pixels, 1.0 / batch.params.samples), batch.count(), updated(values));
 }
 
 }  // namespace brandung

@@ -21,7 +21,7 @@ public:
     void weigh(const Batch &batch, Buffer<vec3> &values);
     bool has_weights() const { return weigh_.has_value(); }
 
-    template <class Bind> void for_each_argument(Bind bind) const { bind(params_), bind(table_); }
+    template <class Bind> void for_each_argument(Bind bind) const { bind(params_), bind(shared(table_)); }
     std::size_t bytes() const { return table_.bytes(); }
 
 private:

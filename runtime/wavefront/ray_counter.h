@@ -23,7 +23,7 @@ public:
     /// Where the next launch of a tracing stage writes its tallies.
     Buffer<Tally> &tallies() { return tallies_; }
     /// Adds the tallies of a launch that had so many work-items.
-    void add(std::size_t work_items) { tally_(1, tallies_, static_cast<uint>(work_items), totals_); }
+    void add(std::size_t work_items) { tally_(1, data_dependent(tallies_), static_cast<uint>(work_items), shared(totals_)); }
 
     RayCounts read() const {
         const std::vector<std::uint64_t> totals = totals_.read();

@@ -103,6 +103,51 @@ TEST(Device, LaunchesAreCountedUnderTheKernelsName) {
     EXPECT_GE(profile.milliseconds, 0);
 }
 
+/// Twenty uints shared by pairs of items, 30 that are read and written, 12 for three children of each, and a table: 2 + 8 + 12 bytes an item, and
+/// room for 4, which is where the children's array ends. In two rows an array has room for half as many.
+TEST(Device, BytesAndRoomOfLaunchesFollowFromTheUseOfArrays) {
+    const char *text = "kernel void moves(global uint *a, global uint *b, global uint *c, global uint *d, global uint *e) {}\n";
+    Kernel kernel(test_device(), "moves.cl", "moves", {{"moves.cl", text}}, 1);
+    const Buffer<uint> twenty(test_device(), 20), thirty(test_device(), 30), twelve(test_device(), 12), table(test_device(), 2),
+        none(test_device(), 0);
+    const auto profile_of = [&](Grid grid, const auto &...arguments) {
+        const auto find = [&] { return test_device().profile().contains("moves") ? test_device().profile().at("moves") : KernelProfile(); };
+        const KernelProfile before = find();
+        kernel(grid, arguments...);
+        test_device().finish();
+        KernelProfile after = find();
+        after.capacity -= before.capacity;
+        if (after.bytes) *after.bytes -= *before.bytes;
+        return after;
+    };
+    const KernelProfile known = profile_of(3, several(twenty, 0.5), updated(thirty), several(twelve, 3), shared(table), none);
+    EXPECT_EQ(known.bytes, 3 * (2 + 8 + 12));
+    EXPECT_EQ(known.capacity, 4);
+    const KernelProfile rows = profile_of(Grid(3, 2), in_rows(twenty, 2), twelve, updated(thirty), shared(table), none);
+    EXPECT_EQ(rows.bytes, 6 * (4 + 4 + 8));
+    EXPECT_EQ(rows.capacity, 2 * 10) << "twenty entries are ten for each row";
+    const KernelProfile unknown = profile_of(3, data_dependent(twenty), thirty, several(none, 2), shared(table), shared(twelve));
+    EXPECT_FALSE(unknown.bytes);
+    EXPECT_EQ(unknown.capacity, 30);
+}
+
+/// The second launch is queued long before the first has ended.
+TEST(Device, ALaunchDoesNotWaitWhileTheDeviceIsBusy) {
+    const char *text =
+        "kernel void busy(global volatile uint *x) { for (uint i = 0; i < 200000000u; ++i) x[0] += i; }\n"
+        "kernel void after(global uint *x) { x[0] += 1; }\n";
+    const Sources sources = {{"busy.cl", text}};
+    Kernel busy(test_device(), "busy.cl", "busy", sources, 1), after(test_device(), "busy.cl", "after", sources, 1);
+    const Buffer<uint> x(test_device(), 1);
+    after(1, x), test_device().finish();  // compiled
+    const double before = test_device().profile().at("after").waiting_milliseconds;
+    busy(1, x), after(1, x), test_device().finish();
+    const KernelProfile first = test_device().profile().at("busy"), second = test_device().profile().at("after");
+    EXPECT_GT(first.waiting_milliseconds, 0);
+    EXPECT_GE(second.waiting_milliseconds, before);
+    EXPECT_LT(second.waiting_milliseconds - before, first.milliseconds / 4);
+}
+
 TEST(Device, AnUnknownOneIsRefusedNamingThoseThereAre) {
     expect_mentions(message_of([] { Device::select("no such device"); }), {"no such device", test_device().info().name});
 }

@@ -20,8 +20,10 @@ void add_run(const Profile &before, const Profile &after, std::map<std::string, 
         if (profile.launches == earlier.launches) continue;
         KernelRuns &runs = kernels[name];
         runs.launches = profile.launches - earlier.launches, runs.items = profile.items - earlier.items;
-        runs.bytes = profile.bytes - earlier.bytes;
+        runs.bytes = profile.bytes ? std::optional(*profile.bytes - earlier.bytes.value()) : std::nullopt;
+        runs.capacity = profile.capacity - earlier.capacity;
         runs.milliseconds.push_back(profile.milliseconds - earlier.milliseconds);
+        runs.waiting_milliseconds.push_back(profile.waiting_milliseconds - earlier.waiting_milliseconds);
     }
 }
 

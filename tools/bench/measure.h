@@ -9,10 +9,12 @@
 
 namespace brandung {
 
-/// Of one render; the milliseconds of every run, in their order.
+/// Of one render, as in KernelProfile; the milliseconds of every run, in their order.
 struct KernelRuns {
-    std::uint64_t launches = 0, items = 0, bytes = 0;
-    std::vector<double> milliseconds;
+    std::uint64_t launches = 0, items = 0;
+    std::optional<double> bytes;
+    double capacity = 0;
+    std::vector<double> milliseconds, waiting_milliseconds;
 };
 
 struct Measurements {

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
-#include "scene/error.h"
+#include "tools/provenance.h"
 #include "tools/report.h"
 
 namespace brandung {
@@ -12,66 +13,88 @@ namespace {
 
 using nlohmann::json;
 
-json kernel_json(const std::string &name, const KernelRuns &runs, const Limits &limits, uint batch, uint cores) {
+json kernel_json(const std::string &name, const KernelRuns &runs, const Limits &limits, uint cores) {
     const double milliseconds = median(runs.milliseconds), seconds = milliseconds * 1e-3, items = static_cast<double>(runs.items);
+    const double waiting = median(runs.waiting_milliseconds);
     const auto [low, high] = std::minmax_element(runs.milliseconds.begin(), runs.milliseconds.end());
-    const double bytes = static_cast<double>(runs.bytes) / seconds;
-    return {{"name", name},
-            {"launches", runs.launches},
-            {"items", runs.items},
-            {"milliseconds", milliseconds},
-            {"milliseconds_low", *low},
-            {"milliseconds_high", *high},
-            {"items_per_second", items / seconds},
-            {"ns_per_item_and_core", seconds * 1e9 * cores / items},
-            {"bytes_per_item", static_cast<double>(runs.bytes) / items},
-            {"bytes_per_second", bytes},
-            {"share_of_copy", bytes / limits.copy_bytes_per_second},
-            {"share_of_launching", std::min(static_cast<double>(runs.launches) * limits.launch_seconds / seconds, 1.0)},
-            {"wave_occupancy", items / (static_cast<double>(runs.launches) * batch)}};
+    json kernel = {{"name", name},
+                   {"launches", runs.launches},
+                   {"items", runs.items},
+                   {"milliseconds", milliseconds},
+                   {"milliseconds_low", *low},
+                   {"milliseconds_high", *high},
+                   {"items_per_second", items / seconds},
+                   {"ns_per_item_and_core", seconds * 1e9 * cores / items},
+                   {"bytes_per_item", nullptr},
+                   {"bytes_per_second", nullptr},
+                   {"share_of_copy", nullptr},
+                   {"launching_milliseconds", waiting},
+                   {"share_of_launching", waiting / (waiting + milliseconds)},
+                   {"wave_occupancy", nullptr}};
+    if (runs.bytes) {
+        kernel["bytes_per_item"] = *runs.bytes / items;
+        kernel["bytes_per_second"] = *runs.bytes / seconds;
+        kernel["share_of_copy"] = *runs.bytes / seconds / limits.copy_bytes_per_second;
+    }
+    if (runs.capacity > 0) kernel["wave_occupancy"] = items / runs.capacity;
+    return kernel;
+}
+
+/// Medians over the runs of what they spent: the device at work, the device free with work queued, and the device without work.
+json parts_of_seconds(const Measurements &measurements) {
+    std::vector<double> running, launching, idle;
+    for (std::size_t run = 0; run < measurements.seconds.size(); ++run) {
+        running.push_back(0), launching.push_back(0);
+        for (const auto &[name, runs] : measurements.kernels)
+            running.back() += runs.milliseconds.at(run) * 1e-3, launching.back() += runs.waiting_milliseconds.at(run) * 1e-3;
+        idle.push_back(measurements.seconds[run] - running.back() - launching.back());
+    }
+    return {{"running", median(running)}, {"launching", median(launching)}, {"idle", median(idle)}};
+}
+
+/// A number with so many digits behind its point, or a dash for null.
+std::string cell(const json &value, double factor, int digits) {
+    return value.is_null() ? "-" : fmt::format("{:.{}f}", factor * value.get<double>(), digits);
 }
 
 std::string line(const json &kernel, double whole) {
-    return fmt::format("{:<26}{:>9}{:>13}{:>10.2f}{:>7.1f}{:>11.2f}{:>10.2f}{:>8.2f}{:>7.1f}{:>8.1f}{:>7.0f}\n", kernel["name"].get<std::string>(),
+    return fmt::format("{:<26}{:>9}{:>13}{:>10.2f}{:>7.1f}{:>11.2f}{:>10.2f}{:>8}{:>8}{:>7}{:>9.1f}{:>7}\n", kernel["name"].get<std::string>(),
                        kernel["launches"].get<std::uint64_t>(), kernel["items"].get<std::uint64_t>(), kernel["milliseconds"].get<double>(),
                        100 * kernel["milliseconds"].get<double>() / whole, kernel["items_per_second"].get<double>() * 1e-6,
-                       kernel["ns_per_item_and_core"].get<double>(), kernel["bytes_per_second"].get<double>() * 1e-9,
-                       100 * kernel["share_of_copy"].get<double>(), 100 * kernel["share_of_launching"].get<double>(),
-                       100 * kernel["wave_occupancy"].get<double>());
-}
-
-/// A number of an earlier result.
-double number(const json &of, const char *name) {
-    if (!of.is_object() || !of.contains(name) || !of[name].is_number())
-        throw SceneError(fmt::format("--compare: \"{}\" is missing: is it of bench --json?", name));
-    return of[name].get<double>();
-}
-
-/// How much slower the slowest run was than the fastest.
-double spread(const json &kernel) { return number(kernel, "milliseconds_high") / number(kernel, "milliseconds_low") - 1; }
-
-json change(const json &now, const json &before) {
-    const double ns_now = number(now, "ns_per_item_and_core"), ns_before = number(before, "ns_per_item_and_core");
-    return {{"name", now["name"]},      {"before", ns_before}, {"now", ns_now}, {"ratio", ns_now / ns_before}, {"spread_before", spread(before)},
-            {"spread_now", spread(now)}};
+                       kernel["ns_per_item_and_core"].get<double>(), cell(kernel["bytes_per_item"], 1, 1), cell(kernel["bytes_per_second"], 1e-9, 2),
+                       cell(kernel["share_of_copy"], 100, 1), 100 * kernel["share_of_launching"].get<double>(),
+                       cell(kernel["wave_occupancy"], 100, 0));
 }
 
 }  // namespace
 
-json bench_json(const Job &job, uint batch, const Measurements &measurements) {
+json bench_subject(const Job &job, uint batch) {
     const FilmSettings &film = job.scene.film;
+    const Window window = film.window();
+    json settings = settings_of(job);
+    settings["crop"] = fmt::format("{},{},{},{}", window.left, window.top, window.right, window.bottom);
+    settings["width"] = std::to_string(film.width), settings["height"] = std::to_string(film.height), settings["spp"] = std::to_string(film.spp);
+    return {{"scene", job.scene.file},
+            {"scene_hash", scene_fingerprint(job)},
+            {"settings", settings},
+            {"program", program_version()},
+            {"device", job.device.info().name},
+            {"driver", job.device.info().driver},
+            {"compute_units", job.device.info().compute_units},
+            {"accelerator", job.compiled.accelerator},
+            {"width", window.width()},
+            {"height", window.height()},
+            {"spp", film.spp},
+            {"batch", batch}};
+}
+
+json bench_json(const Job &job, uint batch, const Measurements &measurements) {
     const Limits &limits = measurements.limits;
     const double seconds = median(measurements.seconds);
-    json all = {{"scene", job.scene.file},
-                {"device", job.device.info().name},
-                {"compute_units", job.device.info().compute_units},
-                {"accelerator", job.compiled.accelerator},
-                {"width", film.window().width()},
-                {"height", film.window().height()},
-                {"spp", film.spp},
-                {"batch", batch},
-                {"runs", measurements.seconds.size()},
+    json all = bench_subject(job, batch);
+    all.update({{"runs", measurements.seconds.size()},
                 {"seconds", seconds},
+                {"parts_of_seconds", parts_of_seconds(measurements)},
                 {"rays", ray_statistics(measurements.rays)},
                 {"rays_per_second", static_cast<double>(measurements.rays.total()) / seconds},
                 {"limits",
@@ -79,50 +102,32 @@ json bench_json(const Job &job, uint batch, const Measurements &measurements) {
                   {"flops_per_second", limits.flops_per_second},
                   {"flops_per_byte_at_the_ridge", limits.flops_per_second / limits.copy_bytes_per_second},
                   {"launch_seconds", limits.launch_seconds}}},
-                {"kernels", json::array()}};
-    for (const auto &[name, runs] : measurements.kernels)
-        all["kernels"].push_back(kernel_json(name, runs, limits, batch, job.device.info().compute_units));
+                {"kernels", json::array()}});
+    for (const auto &[name, runs] : measurements.kernels) all["kernels"].push_back(kernel_json(name, runs, limits, job.device.info().compute_units));
     std::sort(all["kernels"].begin(), all["kernels"].end(),
               [](const json &a, const json &b) { return a["milliseconds"].get<double>() > b["milliseconds"].get<double>(); });
     return all;
 }
 
 std::string bench_text(const json &bench) {
-    const json &limits = bench["limits"];
+    const json &limits = bench["limits"], &parts = bench["parts_of_seconds"];
     double whole = 0;
     for (const json &kernel : bench["kernels"]) whole += kernel["milliseconds"].get<double>();
     std::string text =
         fmt::format("{}, {} x {} pixels, {} spp, {} on {} ({} compute units); batches of {}, medians of {} runs\n", bench["scene"].get<std::string>(),
                     bench["width"].get<uint>(), bench["height"].get<uint>(), bench["spp"].get<uint>(), bench["accelerator"].get<std::string>(),
                     bench["device"].get<std::string>(), bench["compute_units"].get<uint>(), bench["batch"].get<uint>(), bench["runs"].get<uint>());
-    text += fmt::format("render {:.3f} s, kernels {:.3f} s of it; {:.2f} M rays/s\n", bench["seconds"].get<double>(), whole * 1e-3,
+    text += fmt::format("render {:.3f} s: kernels {:.3f} s, launching them {:.3f} s, device without work {:.3f} s; {:.2f} M rays/s\n",
+                        bench["seconds"].get<double>(), parts["running"].get<double>(), parts["launching"].get<double>(), parts["idle"].get<double>(),
                         bench["rays_per_second"].get<double>() * 1e-6);
     text += fmt::format(
-        "the device's limits: copies {:.1f} GB/s, computes {:.0f} GFLOP/s (from {:.0f} operations per byte on), launches in {:.0f} us\n\n",
+        "the device's limits: copies {:.1f} GB/s, computes {:.0f} GFLOP/s (from {:.0f} operations per byte on), an empty launch and back {:.0f} us\n",
         limits["copy_bytes_per_second"].get<double>() * 1e-9, limits["flops_per_second"].get<double>() * 1e-9,
         limits["flops_per_byte_at_the_ridge"].get<double>(), limits["launch_seconds"].get<double>() * 1e6);
-    text += "kernel                     launches        items        ms      %  M items/s   ns·core    GB/s  %copy %launch  %wave\n";
+    text += "kernels' operations are not counted, nor bytes (-) where they depend on what a kernel finds\n\n";
+    text += "kernel                     launches        items        ms      %  M items/s   ns·core  B/item    GB/s  %copy  %launch  %wave\n";
     for (const json &kernel : bench["kernels"]) text += line(kernel, whole);
     return text;
-}
-
-json comparison_json(const json &bench, const json &old) {
-    json all = {{"seconds_before", number(old, "seconds")}, {"ratio", number(bench, "seconds") / number(old, "seconds")}, {"kernels", json::array()}};
-    for (const json &kernel : bench["kernels"])
-        for (const json &earlier : old["kernels"])
-            if (earlier.is_object() && earlier.value("name", json()) == kernel["name"]) all["kernels"].push_back(change(kernel, earlier));
-    return all;
-}
-
-std::string comparison_text(const json &bench) {
-    const json &comparison = bench["comparison"];
-    std::string text = "kernel                      ns·core before         now   ratio   spread of both\n";
-    for (const json &kernel : comparison["kernels"])
-        text +=
-            fmt::format("{:<28}{:>14.2f}{:>12.2f}{:>8.3f}{:>9.0f} %{:>5.0f} %\n", kernel["name"].get<std::string>(), number(kernel, "before"),
-                        number(kernel, "now"), number(kernel, "ratio"), 100 * number(kernel, "spread_before"), 100 * number(kernel, "spread_now"));
-    return text + fmt::format("{:<28}{:>12.3f} s{:>10.3f} s{:>8.3f}\n", "render", number(comparison, "seconds_before"), number(bench, "seconds"),
-                              number(comparison, "ratio"));
 }
 
 }  // namespace brandung
