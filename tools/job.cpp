@@ -13,13 +13,13 @@ namespace {
 
 /// Why a device is not to be trusted, as far as is known; throws Error where that is so, unless it is taken all the same.
 std::string check_trust(const DeviceInfo &device, bool take_it_all_the_same) {
-    const auto [why_not, warning] = known_trust(device);
-    if (!warning.empty()) fmt::print(stderr, "warning: {}\n", warning);
-    if (why_not.empty()) return why_not;
-    const std::string text = fmt::format("'{}' has failed brandung selftest: {}", device.name, why_not);
+    const Trust trust = known_trust(device);
+    if (!trust.warning.empty()) fmt::print(stderr, "warning: {}\n", trust.warning);
+    if (trust.why_not.empty()) return "";
+    const std::string text = fmt::format("'{}' has failed brandung selftest: {}", device.name, trust.why_not);
     if (!take_it_all_the_same) throw Error(text + "; --untrusted-device takes it all the same");
     fmt::print(stderr, "warning: {}\n", text);
-    return why_not;
+    return trust.why_not;
 }
 
 Device select_device(const SceneOptions &options, JobWatch &watch) {

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char *row = "{:<25}{:>10}{:>10}{:>10}{:>7}  {:<9}{:>10}{:>10}{:>10}{:>10}{:>9}{:>10}{:>10}\n";
+constexpr const char *row = "{:<25}{:>10}{:>10}{:>10}{:>7}  {:<9}{:>10}{:>10}{:>10}{:>10}{:>9}{:>9}{:>10}{:>10}\n";
 
 std::string number(double x) { return fmt::format("{:.3g}", x); }
 double mean(double sum, std::uint64_t count) { return count ? sum / double(count) : 0; }
@@ -21,8 +21,8 @@ std::string errors_cells(const Errors &e, const Errors &rounding, const std::str
     return fmt::format(fmt::runtime(row), subject ? subject->subject->name : "", cell(f.inputs), cell(f.hits), cell(f.ambiguous), cell(f.wrong), name,
                        some ? number(mean(e.sum_ulps, e.well_conditioned)) : "", some ? number(e.max_ulps) : "",
                        some ? number(mean(e.sum_relative, e.well_conditioned)) : "", some ? number(e.max_relative) : "",
-                       e.count ? number(e.max_of_bound) : "", both ? number(mean(rounding.sum_ulps, rounding.well_conditioned)) : "",
-                       both ? number(rounding.max_ulps) : "");
+                       e.count ? number(e.max_of_bound) : "", name.empty() ? "" : std::to_string(e.unknown),
+                       both ? number(mean(rounding.sum_ulps, rounding.well_conditioned)) : "", both ? number(rounding.max_ulps) : "");
 }
 
 std::string lines_of(const SubjectReport &report) {
@@ -30,7 +30,7 @@ std::string lines_of(const SubjectReport &report) {
     const SubjectReport *first = &report;
     for (std::size_t i = 0; i < quantities; ++i) {
         const Errors &e = report.findings.errors[i];
-        if (e.count == 0) continue;
+        if (e.count + e.unknown == 0) continue;
         text += errors_cells(e, report.findings.rounding[i], quantity_names[i], first);
         first = nullptr;
     }
@@ -52,6 +52,7 @@ json as_json(const SubjectReport &report) {
                     {"kernels", report.subject->file},
                     {"bound", report.subject->bound},
                     {"passed", report.passed()},
+                    {"complete", report.complete()},
                     {"fault", report.fault},
                     {"rounds", report.rounds},
                     {"seconds", report.seconds},
@@ -61,36 +62,52 @@ json as_json(const SubjectReport &report) {
                     {"wrong", f.wrong},
                     {"errors", json::object()}};
     for (std::size_t i = 0; i < quantities; ++i) {
-        if (f.errors[i].count == 0) continue;
+        if (f.errors[i].count + f.errors[i].unknown == 0) continue;
         json errors = as_json(f.errors[i]);
-        errors["max_of_bound"] = f.errors[i].max_of_bound, errors["beyond_bound"] = f.errors[i].beyond;
+        errors["max_of_bound"] = f.errors[i].max_of_bound, errors["beyond_bound"] = f.errors[i].beyond, errors["unknown"] = f.errors[i].unknown;
         if (f.rounding[i].count > 0) errors["rounding"] = as_json(f.rounding[i]);
         subject["errors"][quantity_names[i]] = errors;
     }
     return subject;
 }
 
+constexpr const char *legend = R"(
+inputs     what was tried; hits: those of them that meet something, or test more than that nothing happens
+ambiguous  decisions (whether, what or which side) that rounding may turn, as extended precision certifies for that input: either is right
+wrong      decisions that are not those of extended precision, though rounding cannot turn them
+ulp, relative   errors against extended precision where the input is conditioned well: rounding may do less than 2^-12 of the quantity there
+max of bound    the largest error over what rounding may do for that input, of all inputs: above 1 the subject fails
+unknown    results not looked at: rounding may do as much there as the quantity is large, or about that
+rounding   errors against the same kernels in double: that of these columns which rounding alone explains
+)";
+
+/// In words; a part is never said to have passed without saying that it is one.
+std::string conclusion(const std::vector<SubjectReport> &reports, Outcome outcome) {
+    if (outcome == Outcome::failed) return "FAILED: results of this device may not be trusted";
+    if (outcome == Outcome::passed) return "passed";
+    const auto complete = std::count_if(reports.begin(), reports.end(), std::mem_fn(&SubjectReport::complete));
+    return fmt::format("INCOMPLETE: nothing has failed, of {} subjects {} were tried on all inputs", subjects().size(), complete);
+}
+
 }  // namespace
 
-bool all_passed(const std::vector<SubjectReport> &reports) {
-    return std::all_of(reports.begin(), reports.end(), [](const SubjectReport &report) { return report.passed(); });
-}
-
-std::string as_text(const DeviceInfo &device, const std::vector<SubjectReport> &reports) {
+std::string as_text(const DeviceInfo &device, const std::vector<SubjectReport> &reports, Outcome outcome) {
     std::string text = fmt::format("{} | {}, driver {}\n\n", device.name, device.platform, device.driver);
-    text += fmt::format(fmt::runtime(row), "", "", "", "ambig-", "", "", "mean", "max", "mean", "max", "max of", "rounding", "rounding");
+    text += fmt::format(fmt::runtime(row), "", "", "", "ambig-", "", "", "mean", "max", "mean", "max", "max of", "", "rounding", "rounding");
     text += fmt::format(fmt::runtime(row), "subject", "inputs", "hits", "uous", "wrong", "errors of", "ulp", "ulp", "relative", "relative", "bound",
-                        "mean ulp", "max ulp");
+                        "unknown", "mean ulp", "max ulp");
     double seconds = 0;
     for (const SubjectReport &report : reports) text += lines_of(report), seconds += report.seconds;
-    if (!device.doubles) text += "\nno column of rounding: the device has no cl_khr_fp64\n";
-    text += fmt::format("\n{} in {:.1f} s\n", all_passed(reports) ? "passed" : "FAILED: results of this device may not be trusted", seconds);
-    return text;
+    text += legend;
+    if (!device.doubles) text += "no column of rounding: the device has no cl_khr_fp64\n";
+    return text + fmt::format("\n{}, {:.1f} s\n", conclusion(reports, outcome), seconds);
 }
 
-json as_json(const DeviceInfo &device, const std::vector<SubjectReport> &reports) {
+json as_json(const DeviceInfo &device, const std::vector<SubjectReport> &reports, Outcome outcome) {
     json all = {{"device", {{"platform", device.platform}, {"name", device.name}, {"driver", device.driver}, {"doubles", device.doubles}}},
-                {"passed", all_passed(reports)},
+                {"passed", outcome == Outcome::passed},
+                {"verdict", outcome_names[int(outcome)]},
+                {"subjects_of_all", subjects().size()},
                 {"subjects", json::array()}};
     for (const SubjectReport &report : reports) all["subjects"].push_back(as_json(report));
     return all;

@@ -8,10 +8,9 @@
 
 namespace brandung {
 
-bool all_passed(const std::vector<SubjectReport> &reports);
-/// A table: a line per subject and quantity.
-std::string as_text(const DeviceInfo &device, const std::vector<SubjectReport> &reports);
+/// A table with its legend: a line per subject and quantity.
+std::string as_text(const DeviceInfo &device, const std::vector<SubjectReport> &reports, Outcome outcome);
 /// Names are a promise.
-nlohmann::json as_json(const DeviceInfo &device, const std::vector<SubjectReport> &reports);
+nlohmann::json as_json(const DeviceInfo &device, const std::vector<SubjectReport> &reports, Outcome outcome);
 
 }  // namespace brandung

@@ -18,7 +18,7 @@ void Errors::add(double error, double allowed, double ulp, double magnitude) {
 }
 
 void Errors::add(const Errors &more) {
-    count += more.count, beyond += more.beyond, well_conditioned += more.well_conditioned;
+    count += more.count, beyond += more.beyond, unknown += more.unknown, well_conditioned += more.well_conditioned;
     sum_ulps += more.sum_ulps, sum_relative += more.sum_relative;
     max_ulps = std::max(max_ulps, more.max_ulps), max_relative = std::max(max_relative, more.max_relative);
     max_of_bound = std::max(max_of_bound, more.max_of_bound);

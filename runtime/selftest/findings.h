@@ -15,6 +15,7 @@ inline constexpr std::array<const char *, quantities> quantity_names = {"value",
 /// Errors of one quantity.
 struct Errors {
     std::uint64_t count = 0, beyond = 0;  ///< how many, and how many of them are larger than their bounds
+    std::uint64_t unknown = 0;            ///< how many more were not looked at, since rounding may make anything of them
     double max_of_bound = 0;              ///< error over the bound that holds there
     // Of those only whose bound is less than 2^-12 of the quantity: others say nothing but how ill the inputs are conditioned.
     std::uint64_t well_conditioned = 0;
@@ -46,6 +47,8 @@ struct Findings {
         of(quantity).add(error, allowed, ulp, magnitude);
         if (!(error <= allowed) && fault.empty()) fault = describe();
     }
+    /// An error for which there is no bound of use.
+    void leave_out(Quantity quantity) { ++of(quantity).unknown; }
 
     bool passed() const;
     void add(const Findings &more);

@@ -49,4 +49,10 @@ std::vector<SubjectReport> run_selftest(Device &device, const SelfTestOptions &o
     return reports;
 }
 
+Outcome outcome_of(const std::vector<SubjectReport> &reports, bool interrupted) {
+    if (std::any_of(reports.begin(), reports.end(), [](const SubjectReport &report) { return !report.passed(); })) return Outcome::failed;
+    const bool all = reports.size() == subjects().size() && std::all_of(reports.begin(), reports.end(), std::mem_fn(&SubjectReport::complete));
+    return all && !interrupted ? Outcome::passed : Outcome::incomplete;
+}
+
 }  // namespace brandung

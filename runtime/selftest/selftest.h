@@ -16,7 +16,13 @@ struct SubjectReport {
     double seconds = 0;
     std::string fault;  ///< the first one, or why it could not be tried at all; empty: there is none
     bool passed() const { return fault.empty() && findings.passed(); }
+    /// Whether it was tried on all inputs of a default run.
+    bool complete() const { return rounds >= subject->rounds; }
 };
+
+/// What is known of a device. A failure is one after any inputs; it has passed after all subjects have, on all inputs of a default run.
+enum class Outcome { untried, incomplete, passed, failed };
+inline constexpr const char *outcome_names[] = {"untried", "incomplete", "passed", "failed"};
 
 struct SelfTestOptions {
     std::vector<std::string> only;  ///< names of subjects; none: all
@@ -27,5 +33,8 @@ struct SelfTestOptions {
 
 /// In the order of the list.
 std::vector<SubjectReport> run_selftest(Device &device, const SelfTestOptions &options);
+
+/// What these reports make known; those that were stopped, and those of a part of the subjects, never that it has passed.
+Outcome outcome_of(const std::vector<SubjectReport> &reports, bool interrupted);
 
 }  // namespace brandung

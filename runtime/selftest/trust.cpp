@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -25,18 +27,22 @@ json key_of(const DeviceInfo &device) {
             {"kernels", fmt::format("{:016x}", hash_of_kernels())}};
 }
 
-/// All verdicts: [{"key": {...}, "subjects": {name: {"passed", "kernels", "fault"}}}].
+/// All verdicts: [{"key": {...}, "subjects": {name: {"passed", "kernels", "fault", "rounds", "date"}}}]. Rounds are those of inputs that were tried,
+/// up to the one that failed.
 struct Verdicts {
     json list = json::array();
     std::string warning;
 };
 
-/// What an entry must have for the rest to rely on it.
-void check_form(const json &list) {
-    for (const json &verdict : list) {
-        verdict.at("key").get<json::object_t>();
-        for (const auto &[name, subject] : verdict.at("subjects").get<json::object_t>())
+/// What an entry must have for the rest to rely on it. Those of older programs, which hold for these only, have neither rounds nor dates.
+void check_form(json &list) {
+    for (json &verdict : list) {
+        verdict.at("key").get<json::object_t>(), verdict.at("subjects").get<json::object_t>();
+        for (json &subject : verdict["subjects"]) {
+            subject.emplace("rounds", 0), subject.emplace("date", "");
             subject.at("passed").get<bool>(), subject.at("kernels").get<std::string>();
+            subject.at("rounds").get<uint>(), subject.at("date").get<std::string>();
+        }
     }
 }
 
@@ -62,6 +68,32 @@ json *entry_of(json &list, const json &key) {
     return nullptr;
 }
 
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    char text[] = "YYYY-MM-DD";
+    std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
+    return text;
+}
+
+/// Every subject of the list passed, on all inputs of a default run.
+bool is_whole(const json &verdicts) {
+    return std::all_of(subjects().begin(), subjects().end(), [&](const SubjectEntry &subject) {
+        return verdicts.contains(subject.name) && verdicts[subject.name]["rounds"] >= subject.rounds;
+    });
+}
+
+/// Replaces what is known of a subject, unless that rests on more inputs. The failure that was found last is known by the inputs of the longest run
+/// to one, so that a pass which takes it back has tried those of every failure.
+void remember(const SubjectReport &report, json &subjects) {
+    uint rounds = report.rounds;
+    if (const auto known = subjects.find(report.subject->name); known != subjects.end()) {
+        if (report.passed() && rounds < (*known)["rounds"]) return;
+        if (!report.passed() && !(*known)["passed"]) rounds = std::max(rounds, (*known)["rounds"].get<uint>());
+    }
+    subjects[report.subject->name] = {
+        {"passed", report.passed()}, {"kernels", report.subject->file}, {"fault", report.fault}, {"rounds", rounds}, {"date", today()}};
+}
+
 }  // namespace
 
 std::string verdicts_file() {
@@ -72,12 +104,16 @@ std::string verdicts_file() {
 
 Trust known_trust(const DeviceInfo &device) {
     Verdicts verdicts = read_verdicts(verdicts_file());
-    Trust trust{{}, verdicts.warning};
+    Trust trust{.warning = verdicts.warning};
     const json *const entry = entry_of(verdicts.list, key_of(device));
-    if (!entry) return trust;
-    for (const auto &[name, subject] : entry->at("subjects").items())
+    if (!entry || entry->at("subjects").empty()) return trust;
+    for (const auto &[name, subject] : entry->at("subjects").items()) {
+        const auto date = subject["date"].get<std::string>();
+        if (trust.date.empty() || date < trust.date) trust.date = date;
         if (!subject["passed"])
             trust.why_not += fmt::format("{}{} (kernels {})", trust.why_not.empty() ? "" : ", ", name, subject["kernels"].get<std::string>());
+    }
+    trust.outcome = !trust.why_not.empty() ? Outcome::failed : is_whole(entry->at("subjects")) ? Outcome::passed : Outcome::incomplete;
     return trust;
 }
 
@@ -89,8 +125,7 @@ std::string remember(const DeviceInfo &device, const std::vector<SubjectReport> 
     json *entry = entry_of(verdicts.list, key);
     if (!entry) entry = &verdicts.list.emplace_back(json{{"key", key}, {"subjects", json::object()}});
     for (const SubjectReport &report : reports)
-        if (report.rounds > 0 || !report.passed())
-            (*entry)["subjects"][report.subject->name] = {{"passed", report.passed()}, {"kernels", report.subject->file}, {"fault", report.fault}};
+        if (report.rounds > 0 || !report.passed()) remember(report, (*entry)["subjects"]);
     while (verdicts.list.size() > most_verdicts) verdicts.list.erase(0);
     try {
         fs::create_directories(fs::path(file).parent_path());

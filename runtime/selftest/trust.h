@@ -11,14 +11,16 @@ namespace brandung {
 std::string verdicts_file();
 
 struct Trust {
+    Outcome outcome = Outcome::untried;
+    std::string date;     ///< since when it is known: YYYY-MM-DD, of the oldest verdict on a subject; empty where it is untried
     std::string why_not;  ///< names the subjects that failed, and their kernels; empty: none is known to have
     std::string warning;  ///< about the file
 };
 /// What is known of the device. A file that is not there says nothing; one that cannot be understood too, with a warning.
 Trust known_trust(const DeviceInfo &device);
 
-/// Adds these subjects' verdicts to those that are known of the device. Gives a warning where that cannot be done, or the file could not be
-/// understood and is begun anew.
+/// Adds these subjects' verdicts to those that are known of the device. A pass on fewer inputs than what is known rests on takes nothing back. Gives
+/// a warning where that cannot be done, or the file could not be understood and is begun anew.
 std::string remember(const DeviceInfo &device, const std::vector<SubjectReport> &reports);
 
 }  // namespace brandung

@@ -1,6 +1,8 @@
 /// brandung selftest: verdicts, exit status, and what render makes of them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -44,7 +46,10 @@ TEST_F(SelfTest, AGoodDevicePassesAndTheTableSaysWhatWasSeen) {
     expect_success(run);
     EXPECT_EQ(run.err, "");
     const auto report = nlohmann::json::parse(run.out);
-    EXPECT_TRUE(report["passed"]);
+    EXPECT_EQ(report["verdict"], "incomplete") << "of all subjects these are two";
+    EXPECT_FALSE(report["passed"]);
+    EXPECT_TRUE(report["subjects"][0]["passed"]);
+    EXPECT_TRUE(report["subjects"][0]["complete"]);
     ASSERT_EQ(report["subjects"].size(), 2u);
     const auto &sphere = report["subjects"][1];
     EXPECT_EQ(sphere["name"], "sphere");
@@ -56,11 +61,47 @@ TEST_F(SelfTest, AGoodDevicePassesAndTheTableSaysWhatWasSeen) {
         EXPECT_GT(errors["well_conditioned"], sphere["hits"].get<int>() / 4) << quantity;
         EXPECT_GT(errors["mean_ulps"], 0) << quantity;
         EXPECT_LE(errors["max_of_bound"], 1) << quantity;
+        EXPECT_EQ(errors["count"].get<int>() + errors["unknown"].get<int>(), sphere["hits"]) << quantity << ": what is left out is told";
         if (!report["device"]["doubles"]) continue;
         // Rounding is most of the errors: the formulas are right.
         EXPECT_GT(errors["rounding"]["mean_ulps"], 0.5 * errors["mean_ulps"].get<double>()) << quantity;
         EXPECT_LT(errors["rounding"]["mean_ulps"], 1.5 * errors["mean_ulps"].get<double>()) << quantity;
     }
+}
+
+TEST_F(SelfTest, APartIsNoPassAndDevicesSaysWhatIsKnown) {
+    const auto devices = [&](const std::string &option = "") {
+        return run_program(option.empty() ? std::vector<std::string>{"devices"} : std::vector{std::string("devices"), option}, options).out;
+    };
+    EXPECT_NE(devices().find("| selftest: never tried\n"), std::string::npos);
+    const Finished run = selftest({"--only", "next_up"});
+    expect_success(run);
+    EXPECT_NE(run.out.find("\nINCOMPLETE: nothing has failed, of "), std::string::npos) << run.out;
+    EXPECT_EQ(run.out.find("\npassed"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("\nambiguous  decisions"), std::string::npos) << "the table has a legend";
+    EXPECT_NE(devices().find("| selftest: incomplete, a part passed on 20"), std::string::npos) << devices();
+    EXPECT_EQ(nlohmann::json::parse(devices("--json"))[0]["selftest"]["verdict"], "incomplete");
+
+    plant("core/math.cl", "bits + 1u : bits - 1u", "bits + 2u : bits - 1u");
+    EXPECT_EQ(selftest({"--only", "next_up"}).status, 3);
+    EXPECT_NE(devices().find("next_up (kernels core/math.cl)\n"), std::string::npos) << devices();
+    const auto known = nlohmann::json::parse(devices("--json"))[0]["selftest"];
+    EXPECT_EQ(known["verdict"], "failed");
+    EXPECT_EQ(known["failed"], "next_up (kernels core/math.cl)");
+}
+
+/// Once a kernel is being compiled, signals are listened to.
+TEST_F(SelfTest, AnInterruptedRunIsIncomplete) {
+    const std::string cache = folder.path("pocl");
+    fs::create_directory(cache);
+    options.environment["POCL_CACHE_DIR"] = cache;
+    options.signal_when = [&](const std::string &) {
+        const fs::recursive_directory_iterator files(cache);
+        return std::any_of(begin(files), end(files), [](const fs::path &file) { return file.extension() == ".bc"; }) ? SIGINT : 0;
+    };
+    const Finished run = selftest({"--only", "next_up", "--long", "100", "--json"});
+    EXPECT_EQ(run.status, 130) << run.err;
+    EXPECT_EQ(nlohmann::json::parse(run.out)["verdict"], "incomplete");
 }
 
 /// The farther root where the nearer one is in front: no rounding explains that.

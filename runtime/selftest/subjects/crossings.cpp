@@ -71,7 +71,11 @@ private:
         look_at_place(cases, i, result, verdict, findings, describe);
         look_at_coordinates(cases, i, result, findings, describe);
         const Normal normal = oracle_.normal_on(cases.lane(i), cases.rays[i], result.t);
-        if (!(normal.error < 0.5)) return;  // nothing is known, as at a tip seen from afar
+        if (!(normal.error < 0.5)) {  // as at a tip seen from afar
+            findings.leave_out(Quantity::normal);
+            if (!cases.normals.empty()) findings.leave_out(Quantity::shading);
+            return;
+        }
         look_at_shading_normal(cases, i, result, normal, findings, describe);
         const double turned = double(length(Vector(n) - normal.n));
         findings.measure(Quantity::normal, turned, double(normal.error), 2 * unit_roundoff, 1,
@@ -102,12 +106,16 @@ private:
                              Describe describe) const {
         const Place place = oracle_.place_on(cases.lane(i), cases.rays[i], result.t);
         const extended off[] = {absolute(around(result.uv[0] - place.uv[0])), absolute(result.uv[1] - place.uv[1])};
-        for (uint k = 0; k < 2; ++k)
-            if (place.error[k] < 0.5)
-                findings.measure(Quantity::uv, double(off[k]), double(place.error[k]), 2 * unit_roundoff, 1, [&] {
-                    return describe(fmt::format("{} is {:.9g}, and not {:.9g}, by more than {:.3g}", k == 0 ? "u" : "v", result.uv[k],
-                                                double(place.uv[k]), double(place.error[k])));
-                });
+        for (uint k = 0; k < 2; ++k) {
+            if (!(place.error[k] < 0.5)) {
+                findings.leave_out(Quantity::uv);
+                continue;
+            }
+            findings.measure(Quantity::uv, double(off[k]), double(place.error[k]), 2 * unit_roundoff, 1, [&] {
+                return describe(fmt::format("{} is {:.9g}, and not {:.9g}, by more than {:.3g}", k == 0 ? "u" : "v", result.uv[k],
+                                            double(place.uv[k]), double(place.error[k])));
+            });
+        }
     }
 
     /// On the geometric normal's side, where that can be told.
@@ -120,7 +128,7 @@ private:
             return;
         }
         const Normal exact = oracle_.shading_normal_on(cases.lane(i), cases.normals[i], cases.rays[i], result.t);
-        if (!(exact.error < 0.5)) return;
+        if (!(exact.error < 0.5)) return findings.leave_out(Quantity::shading);
         const extended cosine = dot(exact.n, geometric.n), side = absolute(cosine) > exact.error + geometric.error ? cosine : dot(exact.n, n);
         const double turned = double(length(n - exact.n * (side < 0 ? -1 : 1)));
         findings.measure(Quantity::shading, turned, double(exact.error), 2 * unit_roundoff, 1,

@@ -210,7 +210,7 @@ private:
         const Vector geometric = map.normal(one.geometric), shown = map.normal(one.shown);
         const double turn = turn_of(geometric, back_normal_error(back, one.geometric)),
                      shown_turn = turn_of(shown, back_normal_error(back, one.shown));
-        if (turn > 0.5 || shown_turn > 0.5) return;
+        if (turn > 0.5 || shown_turn > 0.5) return findings.leave_out(Quantity::normal);
         findings.measure(Quantity::normal, double(length(wide(result.world.geometric) - unit(geometric))), turn, 2 * unit_roundoff, 1,
                          [&] { return "the geometric normal is off" + text_of_case(one); });
         const extended cosine = dot(unit(geometric), unit(shown));
