@@ -4,6 +4,7 @@
 #pragma once
 #include "generated/constants.h"
 #include "generated/instances.cl"
+#include "kernels/accelerators/hit_list.h"
 #include "kernels/accelerators/packet.cl"
 
 /// The closest hit so far, and what else was met: where transparent bodies touch, a ray meets faces of both at one place.
@@ -64,7 +65,6 @@ FUNCTION int16 is_before(float16 t, uint16 primitive, const PacketHits *hits) {
 
 FUNCTION PlacedHit closest_of(Nearest nearest) { return placed(nearest.hit, INSTANCES && nearest.hit.primitive != NO_HIT ? nearest.instance : 0u); }
 
-#define HIT_LIST_SIZE 8u
 /// The first few hits in the order of (t, instance, primitive).
 typedef struct {
     PlacedHit hits[HIT_LIST_SIZE];

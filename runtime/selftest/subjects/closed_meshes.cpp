@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "kernels/selftest/all_hits.h"
 #include "runtime/opencl/kernel.h"
 #include "runtime/selftest/describe.h"
 #include "runtime/selftest/examine.h"
+#include "runtime/selftest/places.h"
 #include "runtime/selftest/subjects/list.h"
 #include "runtime/wavefront/device_scene.h"
 #include "scene/primitives/add.h"
@@ -44,18 +48,23 @@ private:
             InputSource source(seed_of(seed, 0, first));
             for (std::size_t i = first; i < last; ++i) rays[i] = ray_from_within(source, closed);
         });
-        Buffer<std::uint8_t> closest(device_, rays.size()), places(device_, rays.size());
-        (*kernel_)(rays.size(), scene, Buffer<Ray>(device_, rays), static_cast<uint>(rays.size()), closest, places);
-        const std::vector<std::uint8_t> has_hit = closest.read(), met = places.read();
+        Buffer<MetPrimitives> met(device_, rays.size());
+        (*kernel_)(rays.size(), scene, Buffer<Ray>(device_, rays), static_cast<uint>(rays.size()), met);
+        const std::vector<MetPrimitives> met_by = met.read();
         return examine_each(rays.size(), [&](std::size_t i, Findings &findings) {
             const auto blame = [&](const std::string &what) {
                 findings.blame([&] {
                     return fmt::format("{}: {}: ray from {} in direction {}", closed.name, what, text_of(rays[i].origin), text_of(rays[i].direction));
                 });
             };
+            const auto &[closest, all] = met_by[i];
+            const std::span<const uint> faces(all, std::find(std::begin(all), std::end(all), NO_HIT));
             ++findings.hits;
-            if (!has_hit[i] || met[i] == 0) return blame("gets out");
-            if (closed.convex && met[i] != 1) blame(fmt::format("meets {} places", met[i]));
+            if (closest == NO_HIT || faces.empty()) return blame("gets out");
+            if (closest != faces.front()) blame("the closest hit is not the first of all");
+            findings.ambiguous += faces.size() == HIT_LIST_SIZE;  // what more it may meet is not known
+            if (!closed.convex) return;
+            if (const uint places = places_met(closed.mesh, rays[i], faces); places != 1) blame(fmt::format("meets {} places", places));
         });
     }
 
@@ -67,7 +76,8 @@ private:
 }  // namespace
 
 void add_closed_meshes(std::vector<SubjectEntry> &list) {
-    list.push_back({"closed_meshes", "primitives/triangle_crossing.cl, accelerators/wide_bvh.cl", "every ray from inside meets one place or more", 1,
+    list.push_back({"closed_meshes", "primitives/triangle_crossing.cl, accelerators/wide_bvh.cl",
+                    "every ray from inside meets one place or more, of convex meshes one; ambiguous: lists of hits that are full", 1,
                     [](Device &device) { return std::make_unique<ClosedMeshes>(device); }});
 }
 
