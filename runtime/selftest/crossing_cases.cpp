@@ -95,7 +95,7 @@ Ray any_ray(InputSource &source, Aim aim, float size) {
         auto [origin, direction] = lines[source.below(std::size(lines))](source, aim, size);
         if (!(glm::length(direction) > 0.5f)) continue;
         if (source.one_in(4)) direction *= source.power_of_two(-8, 8);
-        const float end = source.one_in(4) ? glm::length(aim.point - origin) / glm::length(direction) : infinity;
+        const float end = source.one_in(4) ? glm::length(aim.point - origin) / glm::length(direction) * (1 + source.beside()) : infinity;
         return {.origin = origin, .t_max = end, .direction = direction, .tag = RAY_TAG(RAY_CAMERA, NO_HIT)};
     }
 }

@@ -25,6 +25,8 @@ public:
     float uniform(double low, double high) { return static_cast<float>(low + (high - low) * unit()); }
     /// A power of two, of any real exponent between these.
     float power_of_two(double low, double high) { return static_cast<float>(std::exp2(low + (high - low) * unit())); }
+    /// Part of a length by which an aim is beside what decides: often none, and else of any magnitude, so that what rounding may turn is surrounded.
+    float beside() { return one_in(4) ? 0.0f : sign() * power_of_two(-22, -2); }
     float sign() { return one_in(2) ? -1.0f : 1.0f; }
     /// Any bits: NaN and infinity too.
     float any_float() { return std::bit_cast<float>(static_cast<std::uint32_t>(bits() >> 32)); }

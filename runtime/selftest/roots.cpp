@@ -9,7 +9,7 @@ namespace {
 
 extended allowed_at(const Root &root) { return greater(root.error, 8 * ulp_of(root.t)); }
 
-bool surely_within(const Root &root, float t_max) { return root.sure && root.t > root.error && root.t + root.error < t_max; }
+bool surely_within(const Root &root, float t_max) { return root.sure && root.t > root.side_error && root.t + root.error < t_max; }
 
 std::string text_of(const Root &root) { return fmt::format("{:.9g} +- {:.2g}{}", double(root.t), double(root.error), root.sure ? "" : "?"); }
 
@@ -23,7 +23,7 @@ std::string text_of(const std::vector<Root> &roots) {
 bool is_ambiguous(const std::vector<Root> &roots, float t_max) {
     const Root *first = nullptr;
     for (const Root &root : roots)
-        if (root.t + root.error > 0 && root.t - root.error <= t_max && (!first || root.t < first->t)) first = &root;
+        if (root.t > -root.side_error && root.t - root.error <= t_max && (!first || root.t < first->t)) first = &root;
     return first && !surely_within(*first, t_max);
 }
 
@@ -43,7 +43,7 @@ Verdict judge(const std::vector<Root> &roots, Crossed crossed, float t_max) {
     bool known = !crossed.hit;
     for (const Root &root : roots) {
         const extended error = absolute(crossed.t - root.t), allowed = allowed_at(root);
-        if (!crossed.hit || error > allowed) continue;
+        if (!crossed.hit || error > allowed || root.t < -root.side_error) continue;
         if (!known || error < absolute(crossed.t - verdict.nearest)) verdict.nearest = root.t, verdict.allowed = allowed;
         known = true;
     }

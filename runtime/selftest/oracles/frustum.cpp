@@ -34,6 +34,72 @@ Frustum frustum_of(Lane lane) {
             b.side[j] < 0};
 }
 
+/// F(s) = x^2 - (r + slope z)^2 = a s^2 + 2 b s + c along a ray, from the point m nearest to the centre on, and how far rounding takes the kernel's
+/// from it. With u = 2^-24, f = o - c, x and z the parts of m across the axis and along it:
+/// m is off by e = u (|f| + |f . d| / |d| + |m|) across the ray (f, the product, the sum); its place along the ray is known as rounded, but it lies
+/// up to w = 8 u |f| farther, which sizes below include. Parts along the axis have 3 roundings of the whole and 2 of the axis' length, parts across 2
+/// of what is subtracted and of what remains; the other part of each is off across it, which counts only squared. Dot products have 3 roundings of
+/// their magnitudes, radii 1, and last differences 1.
+struct AlongRay {
+    extended nearest, mz, dz, a, b, c;
+    extended da, db, dc;  ///< by which coefficients are off
+    bool may_start_on, surely_starts_on;
+
+    AlongRay(const Frustum &frustum, const Ray &ray) {
+        const extended u = unit_roundoff;
+        const Vector d = ray.direction, f = Vector(ray.origin) - frustum.center, axis = frustum.unit_axis();
+        d_length = length(d), nearest = -dot(f, d) / dot(d, d);
+        const Vector m = f + d * nearest, across_d = cross(d, axis), across_m = cross(m, axis);
+        dz = dot(d, axis), mz = dot(m, axis);
+        const extended r = frustum.radius_at(mz), slope = absolute(frustum.slope), f_length = length(f);
+        a = dot(across_d, across_d) - slope * slope * dz * dz, b = dot(across_m, across_d) - frustum.slope * dz * r;
+        c = dot(across_m, across_m) - r * r, w = 8 * u * f_length;
+
+        const extended e = u * (f_length + absolute(dot(f, d)) / d_length + length(m)), m_length = length(m) + w;
+        const extended d_across = length(across_d), d_along = absolute(dz), x = length(across_m) + w, z = absolute(mz) + w,
+                       width = absolute(r) + slope * w;
+        const extended off_d = u * (d_along + d_across), off_x = e + u * (z + x);
+        off_dz = u * (3 * d_length + 2 * d_along), off_z = e + u * (3 * m_length + 2 * z);
+        const extended rise = slope * d_along, off_rise = slope * off_dz + u * rise, off_r = slope * off_z + u * width;
+        da = 2 * d_across * off_d + off_d * off_d + off_dz * off_dz + 3 * u * d_across * d_across + 2 * rise * off_rise + off_rise * off_rise +
+             u * (rise * rise + absolute(a));
+        db = d_across * off_x + x * off_d + off_x * off_d + off_z * off_dz + 3 * u * x * d_across + width * off_rise + rise * off_r +
+             off_r * off_rise + u * (rise * width + absolute(b));
+        dc = 2 * x * off_x + off_x * off_x + off_z * off_z + 3 * u * x * x + 2 * width * off_r + off_r * off_r + u * (width * width + absolute(c));
+        find_start(frustum, f, length(cross(f, axis)), dot(f, axis), x + width, z);
+    }
+
+    extended discriminant_error() const { return 2 * absolute(b) * db + db * db + absolute(a) * dc + absolute(c) * da + da * dc; }
+    /// By which the kernel's z is off for a given s.
+    extended z_error(extended s) const { return off_z + absolute(s) * off_dz + unit_roundoff * absolute(mz + s * dz); }
+
+    /// F is off by dF = da s^2 + 2 db |s| + dc, and 2 root is its slope, so a root moves by dF / (root + sqrt(root^2 - |a| dF)); where the roots are
+    /// not apart, by sqrt(dF / |a|) or so. Computing s from coefficients takes 4 roundings of it, and t one of its own.
+    Root candidate(extended s, extended root) const {
+        const extended t = nearest + s, derror = discriminant_error();
+        const auto moved = [&](extended s) {
+            const extended reach = absolute(s) + w / d_length, df = da * reach * reach + 2 * db * reach + dc, rest = root * root - absolute(a) * df;
+            return root * root > derror && rest > 0 ? df / (root + square_root(rest)) : 2 * square_root((df + derror / absolute(a)) / absolute(a));
+        };
+        const extended error = moved(absolute(s) + moved(s));
+        return {t, error + unit_roundoff * (4 * absolute(s) + absolute(t)), root * root > derror};
+    }
+
+private:
+    extended d_length, w, off_dz, off_z;
+
+    /// By the kernel's rule and its rounding: parts of f have those of m, but for the products with d.
+    void find_start(const Frustum &frustum, Vector f, extended x, extended fz, extended width_at_m, extended z_at_m) {
+        const extended u = unit_roundoff, f_length = length(f), slope = absolute(frustum.slope), r = absolute(frustum.radius_at(fz)),
+                       z = absolute(fz);
+        const extended off_x = u * (f_length + z + x), off_fz = u * (4 * f_length + 2 * z), off_r = slope * off_fz + u * r;
+        const extended off = absolute(x * x - r * r), width = r + width_at_m, rule = 0x1p-20 * width * (width + z + z_at_m);
+        const extended error = 2 * x * off_x + off_x * off_x + off_fz * off_fz + 3 * u * x * x + 2 * r * off_r + off_r * off_r + u * (r * r + off);
+        may_start_on = off <= 1.001 * rule + error;
+        surely_starts_on = off + error <= 0.999 * rule;
+    }
+};
+
 class FrustumOracle final : public PrimitiveOracle {
 public:
     const PrimitiveKind &kind() const override { return frustum_kind; }
@@ -52,49 +118,32 @@ public:
         const glm::dvec3 center(b.center[0][j], b.center[1][j], b.center[2][j]), axis(b.axis[0][j], b.axis[1][j], b.axis[2][j]);
         const glm::dvec3 x = glm::cross(axis, glm::dvec3(source.direction()));
         const glm::dvec3 outward = glm::length(x) > 0 ? glm::normalize(x) : glm::dvec3(0);
-        const float z = b.half_length[j] * (source.one_in(4) ? source.sign() : source.uniform(-1.1, 1.1));  // rims and tips
+        const float z = b.half_length[j] * (source.one_in(4) ? source.sign() * (1 + source.beside()) : source.uniform(-1.1, 1.1));  // rims and tips
         const float radius = b.radius[j] + b.slope[j] * z;
         return {vec3(center + axis * double(z) + outward * double(radius)), vec3(glm::normalize(outward - axis * double(b.slope[j])))};
     }
 
-    /// Rounding, with u = 2^-24, f = o - c, k = 1 + s^2: the kernel's m, the ray's point nearest to the centre, is off by e = 4 u |f| across the
-    /// ray (f, the product and the sum), its z and x by 4 u |m| more, and z by 2 u |z| since the axis has unit length only but for rounding. Its
-    /// coefficients of F(t) = a t^2 + 2 b t + c are off by da = 12 u k d^2, db = 12 u k d (m + r) + k d e, dc = 12 u (k m^2 + r^2) + 2 k (m + r) e,
-    /// so F(t) by dF = da t^2 + 2 db |t| + dc, and a root by dF / |F'(t)| as long as that is small against the distance to the other root, and by
-    /// sqrt(2 dF / |a|) else. The sum with the nearest point's t adds 4 u (|f| / d + |t|).
+    /// In the kernel's opinion a ray begins on the surface if x^2 - r^2 there is at most 2^-20 of widths and places, and then does not meet it there:
+    /// what is surely such a beginning is no root.
     std::vector<Root> roots(Lane lane, const Ray &ray) const override {
         const Frustum record = frustum_of(lane);
-        const Vector d = ray.direction, f = Vector(ray.origin) - record.center, axis = record.unit_axis();
-        const extended u = unit_roundoff, dd = dot(d, d), d_length = square_root(dd), f_length = length(f), nearest = -dot(f, d) / dd;
-        const Vector m = f + d * nearest, dx = cross(d, axis), mx = cross(m, axis);
-        const extended dz = dot(d, axis), mz = dot(m, axis), s = record.slope, r = record.radius_at(mz), k = 1 + s * s;
-        const extended a = dot(dx, dx) - s * dz * s * dz, b = dot(mx, dx) - s * dz * r, c = dot(mx, mx) - r * r;
-        const extended e = 4 * u * f_length, size = length(m) + absolute(r) + record.radius;
-        const extended da = 12 * u * k * dd, db = 12 * u * k * d_length * size + k * d_length * e, dc = 12 * u * k * size * size + 2 * k * size * e;
-        const extended discriminant = b * b - a * c, derror = 2 * absolute(b) * db + db * db + absolute(a) * dc + absolute(c) * da + da * dc;
-        if (discriminant < -derror) return {};
-
-        const extended root = square_root(discriminant), q = -(b < 0 ? b - root : b + root);
-        const extended fz = dot(f, axis), fr = record.radius_at(fz), fx = length(cross(f, axis));
-        const bool may_start_on = absolute(fx * fx - fr * fr) <= 0x1p-19 * absolute(fr) * (absolute(fr) + absolute(fz)) + 2 * dc;
-        std::array<Root, 2> candidates;
-        for (int i = 0; i < 2; ++i) {
-            const extended t = i == 0 ? q / a : c / q, df = da * t * t + 2 * db * absolute(t) + dc;
-            const bool apart = discriminant > derror && df * absolute(a) < root * root / 4;
-            const extended error = apart ? df / root : 2 * square_root((df + derror / absolute(a)) / absolute(a));
-            candidates[std::size_t(i)] = {nearest + t, error + 4 * u * (f_length / d_length + absolute(t)), apart};
-        }
+        const AlongRay along(record, ray);
+        const extended discriminant = along.b * along.b - along.a * along.c;
+        if (discriminant < -along.discriminant_error()) return {};
+        const extended root = square_root(discriminant), q = -(along.b < 0 ? along.b - root : along.b + root);
+        const std::array<Root, 2> candidates = {along.candidate(q / along.a, root), along.candidate(along.c / q, root)};
         std::vector<Root> roots;
         for (std::size_t i = 0; i < 2; ++i) {
-            const auto [t, error, apart] = candidates[i];
+            const auto &[t, error, apart, side_error] = candidates[i];
             if (!is_finite(t)) continue;
-            const extended z = mz + (t - nearest) * dz, at_z = absolute(dz) * error + 8 * u * (absolute(z) + f_length);
+            const extended s = t - along.nearest, z = along.mz + s * along.dz, at_z = absolute(along.dz) * error + along.z_error(s);
             if (absolute(z) > record.half_length + at_z) continue;
-            const extended radius = record.radius_at(z), at_radius = absolute(s) * at_z + 4 * u * (record.radius + absolute(s * z));
+            const extended radius = record.radius_at(z), at_radius = absolute(record.slope) * at_z + unit_roundoff * record.radius;
             if (radius < -at_radius) continue;
-            const extended gradient = a * (t - nearest) + b;
-            if (record.inside_only && apart && gradient < 0) continue;
-            const bool may_be_start = may_start_on && absolute(t) <= absolute(candidates[1 - i].t) + error;
+            if (record.inside_only && apart && along.a * s + along.b < 0) continue;
+            const Root &other = candidates[1 - i];
+            if (along.surely_starts_on && absolute(t) + error < absolute(other.t) - other.error) continue;
+            const bool may_be_start = along.may_start_on && absolute(t) - error <= absolute(other.t) + other.error;
             roots.push_back({t, error, apart && !may_be_start && absolute(z) < record.half_length - at_z && radius > at_radius});
         }
         return roots;

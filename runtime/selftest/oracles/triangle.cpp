@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "runtime/selftest/oracles/oracles.h"
+#include "runtime/selftest/segment.h"
 #include "scene/primitives/kinds.h"
 
 namespace brandung {
@@ -22,21 +23,42 @@ Corners corners_of(Lane lane) {
 
 Vector normal_of(const Corners &v) { return cross(Vector(v[1]) - Vector(v[0]), Vector(v[2]) - Vector(v[0])); }
 
-glm::dvec3 in_double(Vector v) { return {double(v.x), double(v.y), double(v.z)}; }
+/// Edge functions E = x y' - y x' of two vertices, as the ray sees them along the axis of its direction's largest component, d_z: one for each
+/// vertex, whose weight it is over the sum of all three. Their signs are exact for the vertices as rounded there, of which x = (a - o)_x - (d_x /
+/// d_z) (a - o)_z is off by u (|a - o|_x + 3 |d_x / d_z| |a - o|_z + |x|): two differences, a quotient, a product, and the last difference. The exact
+/// ones are triple products d . (w x w') / d_z. Products of less than 2^-102 lose digits of theirs to 2^-149.
+struct EdgeFunctions {
+    std::array<extended, 3> value, error;
+    extended sum() const { return value[0] + value[1] + value[2]; }
+    extended error_of_sum() const { return error[0] + error[1] + error[2]; }
+};
 
-/// Square of the distance from the origin to the segment from p to q, in double: right to 2^-50 of the larger one's square.
-double square_to_segment(Vector from, Vector to) {
-    const glm::dvec3 p = in_double(from), along = in_double(to - from);
-    const double square = glm::dot(along, along), s = square > 0 ? glm::clamp(-glm::dot(p, along) / square, 0.0, 1.0) : 0;
-    const glm::dvec3 nearest = p + along * s;
-    return glm::dot(nearest, nearest);
+EdgeFunctions edge_functions(const Corners &v, const Ray &ray) {
+    const vec3 d = ray.direction, size = glm::abs(d);
+    const int z = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0, axes[] = {(z + 1) % 3, (z + 2) % 3};
+    std::array<std::array<extended, 2>, 3> at, off;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 2; ++k) {
+            const int axis = axes[k];
+            const extended across = extended(v[i][axis]) - ray.origin[axis], along = extended(d[axis]) / d[z] * (extended(v[i][z]) - ray.origin[z]);
+            at[i][k] = across - along;
+            off[i][k] = unit_roundoff * (absolute(across) + 3 * absolute(along) + absolute(at[i][k])) + 0x1p-147;
+        }
+    EdgeFunctions edges;
+    for (int i = 0; i < 3; ++i) {
+        const int from = (i + 2) % 3, to = (i + 1) % 3;
+        edges.value[i] = dot(Vector(d), cross(Vector(v[from]) - ray.origin, Vector(v[to]) - ray.origin)) / d[z];
+        edges.error[i] = 0x1p-147;
+        for (int k = 0; k < 2; ++k)
+            edges.error[i] += off[from][k] * absolute(at[to][1 - k]) + absolute(at[from][k]) * off[to][1 - k] + off[from][k] * off[to][1 - k];
+    }
+    return edges;
 }
 
-/// Rounding, with u = 2^-24 and M the largest coordinate of a vertex seen from the origin: a sheared coordinate is off by 6 u M (two differences,
-/// |shear| <= 1 and its product), so the ray passes a vertex at a distance that is off by 9 u M at most. Within that of an edge, and a hundredth for
-/// its square, which is about 2^-42 M^2 and computed to 2^-50 M^2, anything goes.
-/// z, which is t times the direction's largest component, is the mean of the vertices' z with weights that are right for such vertices to 8 u: the
-/// point lies in the true plane but for (9 + 16) u M, times the plane's slope, which is at most 1 / cosine; and the mean itself is off by 8 u M.
+/// Rounding, with u = 2^-24 and M the largest coordinate of a vertex seen from the origin: the edge functions' signs decide what is inside.
+/// z, which is t times the direction's largest component, is the mean of the vertices' z with weights that are right to 8 u for vertices as far away
+/// as doubtful_of_vertices M: the point lies in the true plane but for (9 + 16) u M, times the plane's slope, which is at most 1 / cosine; and the
+/// mean itself is off by 8 u M. On which side of the plane the ray begins is decided to 2^-42 of the lengths that its offset is the product of.
 /// A ray whose cosine is as small as the rounding of the normal lies in the plane, as far as floats can tell: it may be met anywhere in the box.
 class TriangleOracle : public PrimitiveOracle {
 public:
@@ -51,10 +73,9 @@ public:
         const vec3 n = vec3(glm::normalize(glm::cross(glm::dvec3(v[1]) - glm::dvec3(v[0]), glm::dvec3(v[2]) - glm::dvec3(v[0]))));
         const uint i = source.below(3);
         const float s = source.uniform(0, 1);
-        if (source.one_in(8)) return {v[i], n};
-        const vec3 on_edge = v[i] + (v[(i + 1) % 3] - v[i]) * s;
-        if (source.one_in(4)) return {on_edge, n};
-        return {on_edge + (v[(i + 2) % 3] - on_edge) * source.uniform(-0.1, 1), n};
+        const vec3 on_edge = v[i] + (v[(i + 1) % 3] - v[i]) * s, opposite = v[(i + 2) % 3], center = (v[0] + v[1] + v[2]) * (1 / 3.0f);
+        if (source.one_in(8)) return {v[i] + (center - v[i]) * source.beside(), n};
+        return {on_edge + (opposite - on_edge) * (source.one_in(4) ? source.beside() : source.uniform(-0.1, 1)), n};
     }
 
     std::vector<Root> roots(Lane lane, const Ray &ray) const override {
@@ -66,20 +87,18 @@ public:
         const extended cosine = absolute(dn) / (d_length * length(n));
         const bool in_plane = cosine < 16 * u;
 
-        std::array<Vector, 3> across = seen;
-        for (Vector &w : across) w = w - d * (dot(w, d) / dd);
-        const double to_edges =
-            std::min({square_to_segment(across[0], across[1]), square_to_segment(across[1], across[2]), square_to_segment(across[2], across[0])});
-        bool positive = true, negative = true;
-        for (uint i = 0; i < 3; ++i) {
-            const extended side = dot(d, cross(across[i], across[(i + 1) % 3]));
-            positive &= side >= 0, negative &= side <= 0;
-        }
-        const extended doubtful = 9.1 * u * farthest;
-        const bool inside = positive || negative, near_edge = to_edges <= doubtful * doubtful;
-        if (!(inside || near_edge)) return {};
+        const EdgeFunctions edges = edge_functions(v, ray);
+        bool surely_in[] = {true, true}, maybe_in[] = {true, true};  // by positive and by negative ones
+        for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 2; ++k) {
+                const extended value = k == 0 ? edges.value[i] : -edges.value[i];
+                surely_in[k] &= value > edges.error[i], maybe_in[k] &= value >= -edges.error[i];
+            }
+        if (!maybe_in[0] && !maybe_in[1]) return {};
         if (in_plane) return {{dot(seen[0], d) / dd, 4 * farthest / d_length, false}};
-        return {{dot(seen[0], n) / dn, u * farthest * (25 / cosine + 14) / d_length, inside && !near_edge}};
+        const extended side_error =
+            0x1p-41 * length(Vector(v[1]) - Vector(v[0])) * length(Vector(v[2]) - Vector(v[0])) * length(seen[0]) / absolute(dn);
+        return {{dot(seen[0], n) / dn, u * farthest * (25 / cosine + 14) / d_length, surely_in[0] || surely_in[1], side_error}};
     }
 
     extended distance(Lane lane, Vector p) const override {
@@ -98,19 +117,15 @@ public:
         return {n * (1 / n_length), 12 * unit_roundoff * length(e) * length(f) / n_length + 8 * unit_roundoff};
     }
 
-    /// The ray passes every vertex at a place that is off by 9 u M at most, so it meets the triangle of such vertices with weights that, for the true
-    /// ones, are those of a place as far away: off by that over the height of the triangle as the ray sees it. Quotients have 12 u of their own.
+    /// Weights are edge functions, which are right to 2 u for vertices as rounded, over their sum, which has 2 more roundings.
     Place place_on(Lane lane, const Ray &ray, extended) const override {
-        const Corners v = corners_of(lane);
-        const Vector d = ray.direction, o = ray.origin;
-        const std::array<Vector, 3> seen = {Vector(v[0]) - o, Vector(v[1]) - o, Vector(v[2]) - o};
-        const extended d_length = length(d), area = absolute(dot(d, normal_of(v))) / d_length;
-        const extended doubtful = 9 * unit_roundoff * greater(largest(seen[0]), greater(largest(seen[1]), largest(seen[2])));
+        const EdgeFunctions edges = edge_functions(corners_of(lane), ray);
+        const extended sum = edges.sum(), least = absolute(sum) - edges.error_of_sum();
         Place place{{0, 0}, {1, 1}};
-        for (uint i = 0; i < 2 && area > 0; ++i) {
-            const Vector &from = seen[(i + 2) % 3], &to = seen[i];
-            place.uv[i] = dot(d, cross(from, to)) / dot(d, normal_of(v));
-            place.error[i] = doubtful * length(cross(to - from, d)) / (d_length * area) + 12 * unit_roundoff * absolute(place.uv[i]);
+        for (uint i = 0; i < 2 && least > 0; ++i) {
+            place.uv[i] = edges.value[i + 1] / sum;
+            const extended part = absolute(place.uv[i]);
+            place.error[i] = (edges.error[i + 1] + part * edges.error_of_sum()) / least + 8 * unit_roundoff * part + 0x1p-149;
         }
         return place;
     }

@@ -43,6 +43,18 @@ TEST(Judge, BothEndsOfTheRayAreAsWideAsTheError) {
     EXPECT_FALSE(is_right({{1, 0.1, true}}, {true, 1}, 0.9f)) << "beyond its end";
 }
 
+TEST(Judge, ASideThatIsDecidedWithMoreCareIsHeldToThat) {
+    const std::vector<Root> before = {{0.05, 0.1, true, 0.01}}, behind = {{-0.05, 0.1, true, 0.01}}, on = {{0.005, 0.1, true, 0.01}};
+    EXPECT_FALSE(is_right(before, {false, 0})) << "overlooked, though t may be off by more";
+    EXPECT_TRUE(is_right(before, {true, 0.14f}));
+    EXPECT_FALSE(is_right(behind, {true, 0.04f})) << "it lies behind";
+    EXPECT_TRUE(is_right(behind, {false, 0}));
+    EXPECT_TRUE(is_right(on, {false, 0}));
+    EXPECT_TRUE(is_right(on, {true, 0.01f}));
+    EXPECT_FALSE(judge(before, {true, 0.05f}, infinity).ambiguous);
+    EXPECT_TRUE(judge(on, {true, 0.05f}, infinity).ambiguous);
+}
+
 TEST(Judge, EightUlpAreAlwaysAllowed) {
     EXPECT_TRUE(is_right({{1, 0, true}}, {true, 1 + 8 * 0x1p-23f}));
     EXPECT_FALSE(is_right({{1, 0, true}}, {true, 1 + 9 * 0x1p-23f}));
