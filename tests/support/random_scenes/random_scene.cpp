@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "scene/samplers/sampler.h"
+
 namespace brandung {
 namespace {
 
@@ -59,6 +61,14 @@ Json background(Dice &dice) {
     return colour(dice, 1);
 }
 
+/// By dice of their own, so that the rest of a seed's scene stays what it was before these settings were drawn.
+void draw_paths(std::uint64_t seed, Json &scene) {
+    Dice dice(~seed);
+    if (const uint sampler = dice.below(static_cast<uint>(sampler_kinds().size())); sampler > 0)
+        scene["film"]["sampler"] = sampler_kinds()[sampler].name;
+    if (dice.chance(40)) scene["integrator"]["follow"] = "one";
+}
+
 /// In floats, one thing after another must not leave the numbers that a file may have.
 RandomSpace space(Dice &dice) {
     RandomSpace space;
@@ -112,6 +122,7 @@ nlohmann::ordered_json random_scene(std::uint64_t seed, double scale) {
     where.unit *= scale;
     for (double &x : where.offset) x *= scale;
     Json scene = {{"film", film(dice)}, {"integrator", integrator(dice)}, {"background", background(dice)}, {"ambient", colour(dice, 0.3)}};
+    draw_paths(seed, scene);
     const uint materials = 1 + dice.below(5);
     for (uint i = 0; i < materials; ++i) scene["materials"].push_back(random_material(dice, i));
     scene["camera"] = camera(dice, where, scene["materials"]);

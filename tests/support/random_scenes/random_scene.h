@@ -1,4 +1,5 @@
-/// Scenes at random: every kind of object, material and light, at odd scales, with parts that are degenerate, coincide or contain each other.
+/// Scenes at random: every kind of object, material, light, filter and sampler, either way to follow rays, at odd scales, with parts that are
+/// degenerate, coincide or contain each other.
 #pragma once
 #include <cstdint>
 #include <nlohmann/json.hpp>
