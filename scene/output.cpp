@@ -1,5 +1,6 @@
 #include "scene/output.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -17,6 +18,9 @@ namespace fs = std::filesystem;
 /// File systems take 255 bytes; a name's beginning leaves room for what a temporary one has more.
 constexpr std::size_t kept_of_name = 200;
 
+/// Bytes of a growing text that are kept until they are written.
+constexpr std::size_t worth_writing = 1 << 16;
+
 /// More links than any system follows.
 constexpr int most_links = 64;
 
@@ -27,6 +31,12 @@ std::string temporary_name(const std::string &file) {
 }
 
 SceneError cannot_write(const std::string &file, const std::string &why) { return SceneError(file + ": cannot write there: " + why); }
+
+void rename_to(const std::string &file, const std::string &temporary) {
+    std::error_code error;
+    fs::rename(temporary, linked_file(file), error);
+    if (error) throw cannot_write(file, error.message());
+}
 
 /// Calls `write`; removes what it wrote if it throws.
 void write_or_remove(const std::string &temporary, const WriteFile &write) {
@@ -76,9 +86,7 @@ void write_complete(const std::string &file, const WriteFile &write) {
     const std::string temporary = temporary_name(file);
     write_or_remove(temporary, [&](const std::string &name) {
         write(name);
-        std::error_code error;
-        fs::rename(name, linked_file(file), error);
-        if (error) throw cannot_write(file, error.message());
+        rename_to(file, name);
     });
 }
 
@@ -88,6 +96,41 @@ void write_text(const std::string &file, const std::string &text) {
         out << text;
         if (!out.flush()) throw cannot_write(file, "the disk may be full");
     });
+}
+
+GrowingText::GrowingText(const std::string &file, const std::string &ending)
+    : file_(file), temporary_(temporary_name(file)), ending_(ending), descriptor_(open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666)) {
+    if (descriptor_ < 0) throw cannot_write(file, std::strerror(errno));
+}
+
+GrowingText::~GrowingText() {
+    if (descriptor_ < 0) return;
+    close(descriptor_);
+    std::error_code ignored;
+    fs::remove(temporary_, ignored);
+}
+
+void GrowingText::append(std::string_view text) {
+    waiting_ += text;
+    if (waiting_.size() >= worth_writing) write();
+}
+
+/// In one call, so that no signal comes between a part and the ending, over which the next part goes.
+void GrowingText::write() {
+    const std::size_t added = waiting_.size();
+    waiting_ += ending_;
+    const ssize_t bytes = fault_.empty() ? pwrite(descriptor_, waiting_.data(), waiting_.size(), written_) : 0;
+    if (bytes != static_cast<ssize_t>(waiting_.size()) && fault_.empty()) fault_ = bytes < 0 ? std::strerror(errno) : "the disk may be full";
+    written_ += static_cast<std::int64_t>(added);
+    waiting_.clear();
+}
+
+void GrowingText::finish() {
+    write();
+    if (!fault_.empty()) throw cannot_write(file_, fault_);
+    rename_to(file_, temporary_);
+    close(descriptor_);
+    descriptor_ = -1;
 }
 
 }  // namespace brandung

@@ -1,7 +1,9 @@
 /// Files that appear under their name only when they are complete.
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace brandung {
 
@@ -21,5 +23,29 @@ void check_writable(const std::string &file);
 void write_complete(const std::string &file, const WriteFile &write);
 /// Throws SceneError.
 void write_text(const std::string &file, const std::string &text);
+
+/// A text that is written as it grows, under such a temporary name until it is complete. Whenever the program may end, the file there ends with
+/// `ending`.
+class GrowingText {
+public:
+    /// Throws SceneError if no file can be written there.
+    GrowingText(const std::string &file, const std::string &ending);
+    /// Removes what is not complete.
+    ~GrowingText();
+    GrowingText(const GrowingText &) = delete;
+
+    /// Writes when enough has come together to be worth it. Faults are told by finish().
+    void append(std::string_view text);
+    /// Gives the file its name. Throws SceneError if not all of it could be written.
+    void finish();
+
+private:
+    void write();
+
+    std::string file_, temporary_, ending_, waiting_;
+    int descriptor_;
+    std::int64_t written_ = 0;  ///< bytes, without the ending
+    std::string fault_;
+};
 
 }  // namespace brandung

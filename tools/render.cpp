@@ -74,7 +74,7 @@ int render(const RenderCommandOptions &options) {
     for (const std::string &url : preview.urls()) fmt::print(stderr, "preview: {}\n", url);
     const std::function<void(const std::string &)> say = [&](const std::string &what) { progress.say(what), preview.say(what); };
     std::optional<Trace> trace;
-    if (!options.trace.empty()) trace.emplace().add_phase("read", start, seconds_now());
+    if (!options.trace.empty()) trace.emplace(options.trace, "brandung render " + options.scene, start).add_phase("read", start, seconds_now());
     const double prepared = seconds_now();
     Job job(scene, options, watch_of(preview, trace, say), options.stop);
     preview.begin(job);
@@ -93,7 +93,7 @@ int render(const RenderCommandOptions &options) {
     preview.finish(end, job);
     if (trace) {
         trace->add_phase("prepare", prepared, begun), trace->add_phase("render and write", begun, seconds_now());
-        trace->write(options.trace, "brandung render " + options.scene);
+        trace->finish();
     }
     seconds.total = seconds_now() - start;
     if (!options.stats.empty()) write_text(options.stats, statistics(job, seconds, end).dump(2) + "\n");

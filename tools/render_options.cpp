@@ -34,7 +34,7 @@ void add_render_options(CLI::App &command, RenderCommandOptions &options) {
     command.add_option("--stats", options.stats, "write everything counted and timed to this JSON file");
     command.add_option("--trace", options.trace,
                        "write a timeline to this JSON file, for ui.perfetto.dev or chrome://tracing: launches and builds of kernels, rays that wait, "
-                       "rays per second");
+                       "rays per second; written as the render goes, some 100 bytes for each launch, to a file NAME.*.part.json until it ends");
     command.add_flag("--explain", options.explain, "print what the scene needs and what was skipped");
     command.add_flag("--quiet", options.quiet, "no progress");
     command.option_defaults()->group("Preview");

@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "scene/output.h"
 #include "tools/job.h"
 
 namespace brandung {
@@ -26,61 +25,44 @@ std::string tracks(const std::string &title) {
     return text;
 }
 
-double microseconds(double seconds) { return seconds * 1e6; }
-
 }  // namespace
 
-void Trace::add(Track track, const std::string &name, std::uint64_t items, double start, double end) {
-    const uint number = names_.try_emplace(name, static_cast<uint>(names_.size())).first->second;
-    events_.push_back({track, number, items, start, end});
+Trace::Trace(const std::string &file, const std::string &title, double start) : text_(file, "\n]}\n"), start_(start) {
+    text_.append("{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n" + tracks(title));
 }
 
-void Trace::add(const WaveStep &step) { waiting_.push_back({seconds_now(), step.waiting}); }
+void Trace::add(Track track, const std::string &name, double start, double end, const std::string &more) {
+    text_.append(
+        fmt::format(",\n"
+                    R"({{"ph":"X","pid":1,"tid":{},"name":"{}","ts":{:.3f},"dur":{:.3f}{}}})",
+                    int(track) + 1, name, time(start), (end - start) * 1e6, more));
+}
+
+void Trace::add(const Launch &launch) {
+    add(launches, launch.kernel, launch.start, launch.end, fmt::format(R"(,"args":{{"items":{}}})", launch.items));
+}
+
+void Trace::add(const WaveStep &step) {
+    std::string rays;
+    for (std::size_t g = 0; g < step.waiting.size(); ++g) rays += fmt::format(R"({}"depth {}":{})", g ? "," : "", g + 1, step.waiting[g]);
+    text_.append(
+        fmt::format(",\n"
+                    R"({{"ph":"C","pid":1,"name":"waiting rays","ts":{:.3f},"args":{{{}}}}})",
+                    time(seconds_now()), rays));
+}
 
 void Trace::add(const RayCounts &counts) {
-    const double now = seconds_now();
-    Speed speed{counted_ == 0 ? now : counted_, {}};
-    for (std::size_t kind = 0; kind < RAY_KINDS && counted_ > 0; ++kind)
-        speed.rays_per_second[kind] = static_cast<double>(counts.rays[kind] - counts_.rays[kind]) / (now - counted_);
-    if (counted_ > 0) speeds_.push_back(speed);
+    const double now = seconds_now(), before = counted_;
+    std::string speeds;
+    for (std::size_t kind = 0; kind < RAY_KINDS; ++kind)
+        speeds += fmt::format(R"({}"{}":{:.0f})", kind ? "," : "", ray_names[kind],
+                              static_cast<double>(counts.rays[kind] - counts_.rays[kind]) / (now - before));
     counts_ = counts, counted_ = now;
-}
-
-void Trace::write(const std::string &file, const std::string &title) const {
-    std::vector<const std::string *> names(names_.size());
-    for (const auto &[name, number] : names_) names[number] = &name;
-    double first = events_.empty() ? 0 : events_.front().start;
-    for (const Event &event : events_) first = std::min(first, event.start);
-    const auto time = [&](double seconds) { return microseconds(seconds - first); };
-
-    std::string text = "{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n" + tracks(title);
-    const auto append = std::back_inserter(text);
-    for (const Event &event : events_) {
-        fmt::format_to(append,
-                       ",\n"
-                       R"({{"ph":"X","pid":1,"tid":{},"name":"{}","ts":{:.3f},"dur":{:.3f})",
-                       int(event.track) + 1, *names[event.name], time(event.start), microseconds(event.end - event.start));
-        if (event.track == launches) fmt::format_to(append, R"(,"args":{{"items":{}}})", event.items);
-        text += '}';
-    }
-    for (const Waiting &waiting : waiting_) {
-        fmt::format_to(append,
-                       ",\n"
-                       R"({{"ph":"C","pid":1,"name":"waiting rays","ts":{:.3f},"args":{{)",
-                       time(waiting.time));
-        for (std::size_t g = 0; g < waiting.rays.size(); ++g) fmt::format_to(append, R"({}"depth {}":{})", g ? "," : "", g + 1, waiting.rays[g]);
-        text += "}}";
-    }
-    for (const Speed &speed : speeds_) {
-        fmt::format_to(append,
-                       ",\n"
-                       R"({{"ph":"C","pid":1,"name":"rays per second","ts":{:.3f},"args":{{)",
-                       time(speed.time));
-        for (std::size_t kind = 0; kind < RAY_KINDS; ++kind)
-            fmt::format_to(append, R"({}"{}":{:.0f})", kind ? "," : "", ray_names[kind], speed.rays_per_second[kind]);
-        text += "}}";
-    }
-    write_text(file, text + "\n]}\n");
+    if (before > 0)
+        text_.append(
+            fmt::format(",\n"
+                        R"({{"ph":"C","pid":1,"name":"rays per second","ts":{:.3f},"args":{{{}}}}})",
+                        time(before), speeds));
 }
 
 }  // namespace brandung

@@ -55,6 +55,25 @@ TEST_F(Output, WhatCannotBeRenamedIsReportedAndRemoved) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
 }
 
+/// 20 000 lines of 10 bytes are more than are kept until they are written.
+TEST_F(Output, AGrowingTextIsCompleteInFormAllTheTime) {
+    const auto only_file = [&] { return file_text(fs::directory_iterator(folder)->path().string()); };
+    {
+        GrowingText text(file("text"), "end\n");
+        for (int line = 0; line < 20'000; ++line) text.append("123456789\n");
+        const std::string part = only_file();
+        EXPECT_GT(part.size(), 100'000u);
+        EXPECT_LT(part.size(), 200'000u);
+        EXPECT_TRUE(part.ends_with("123456789\nend\n"));
+        EXPECT_FALSE(fs::exists(file("text"))) << "it is not complete";
+        text.finish();
+    }
+    EXPECT_EQ(file_text(file("text")).size(), 200'004u);
+    { GrowingText(file("other"), "end\n").append("123456789\n"); }
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1) << "what was not finished is removed";
+    EXPECT_EQ(error_of([&] { GrowingText(file("no/text"), ""); }), file("no/text") + ": cannot write there: No such file or directory");
+}
+
 /// Over two links, the last of which leads to a file that is not there yet, from another folder.
 TEST_F(Output, LinksAreWrittenThrough) {
     fs::create_directory(file("there"));

@@ -1,6 +1,8 @@
 /// brandung render --trace.
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -66,6 +68,27 @@ TEST(Trace, HasEveryLaunchBuildAndQueueOfTheRender) {
     }
     EXPECT_EQ(largest, 4096u) << "a whole batch waits at its beginning";
     EXPECT_TRUE(fast);
+}
+
+/// Killed when some of it has been written, by a signal that no program hears.
+TEST(Trace, IsWrittenWhileTheRenderGoesOnAndIsJsonAtAnyTime) {
+    const TemporaryFolder folder;
+    const auto part = [&] {
+        for (const std::string &name : folder.names())
+            if (name.starts_with("trace.json.")) return folder.path(name);
+        return std::string();
+    };
+    RunOptions options;
+    options.signal_when = [&](const std::string &) {
+        return !part().empty() && std::filesystem::file_size(part()) > 300'000 ? SIGKILL : 0;  // some pieces of 64 KiB
+    };
+    const Finished run = run_program({"render", folder.write("scene.json", native_scene()), "--size", "64x48", "--spp", "1000000", "--batch", "512",
+                                      "-o", folder.path("out.exr"), "--trace", folder.path("trace.json")},
+                                     options);
+    EXPECT_EQ(run.signal, SIGKILL) << run.err;
+    const json trace = json::parse(read_file(part()));
+    EXPECT_GT(events(trace, "X").size(), 1000u);
+    EXPECT_GT(events(trace, "C").size(), 100u);
 }
 
 TEST(Trace, IsRefusedWhereItCannotBeWritten) {
