@@ -1,123 +1,130 @@
 /// brandung converge: error over time.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <set>
 
 #include "scene/error.h"
 #include "scene/formats/limits.h"
 #include "scene/image.h"
 #include "scene/output.h"
 #include "tools/commands.h"
+#include "tools/converge/climb.h"
 #include "tools/converge/foreign_series.h"
-#include "tools/converge/ladder.h"
 #include "tools/converge/report.h"
 #include "tools/distinct_files.h"
 #include "tools/interruption.h"
 #include "tools/numbers.h"
-#include "tools/progress.h"
+#include "tools/provenance.h"
 #include "tools/standard_output.h"
 
 namespace brandung {
 namespace {
 
+using Climbers = std::vector<std::unique_ptr<Climber>>;
+
 constexpr uint reference_factor = 16;  ///< samples of an automatic reference over those of the last rung
-constexpr uint reference_seed = 0x5eedu;
 
 struct Options : SceneOptions {
-    std::string reference, html, csv;
-    std::vector<std::string> varied, foreign;
+    std::string reference, saved_reference, html, csv;
+    std::vector<std::string> varied, foreign, reference_settings;
     Rungs rungs;
     uint seeds = 4;
     std::optional<uint> reference_spp;
     bool as_json = false, quiet = false;
+
+    bool renders_reference() const { return reference == "auto"; }
 };
 
-struct Reference {
-    Picture picture;
-    std::string name;
-    std::optional<double> noise;
-};
+void refuse(const std::string &option, const std::string &why) { throw CLI::ValidationError(option, why); }
 
-/// Before anything was measured.
-struct Interrupted {};
-
-void check_interruption() {
-    if (is_interrupted()) throw Interrupted();
+/// What a ladder sets itself must not be asked for.
+void check_settings(const std::string &option, const std::vector<std::string> &settings) {
+    for (const std::string &setting : settings)
+        for (const auto &[key, why] : {std::pair{"film.spp", "--samples says how many"},
+                                       {"film.seed", "--seed says the first"},
+                                       {"film.pixel", "samples lie anywhere in their pixels"}})
+            if (setting.substr(0, setting.find('=')) == key) refuse(option, fmt::format("{} is the ladder's: {}", key, why));
 }
 
-/// Says what is rendered, and ends a render where the program is interrupted.
-class Teller {
-public:
-    explicit Teller(bool quiet) : quiet_(quiet), line_(quiet) {}
-    std::function<bool(const RenderProgress &)> observer(const std::string &what) {
-        return [this, what](const RenderProgress &progress) {
-            line_.say(fmt::format("{}: {:.0f} %", what, 100 * progress.part));
-            return !is_interrupted();
-        };
-    }
-    /// A line that stays.
-    void note(const std::string &text) {
-        line_.clear();
-        if (!quiet_) fmt::print(stderr, "{}\n", text);
-    }
-
-private:
-    bool quiet_;
-    ProgressLine line_;
-};
-
-Reference make_reference(const Options &options, Climber &climber, Teller &teller) {
-    if (options.reference != "auto") return {read_picture(options.reference), options.reference, {}};
-    const uint last = options.rungs.samples.empty() ? 0 : options.rungs.samples.back();
-    if (last == 0 && !options.reference_spp) throw CLI::ValidationError("--reference-spp", "needed for --reference auto with --times");
-    const uint spp = options.reference_spp.value_or(std::min(last, max_samples / reference_factor) * reference_factor);
-    teller.note(fmt::format("reference: {} spp of {}", spp, climber.name()));
-    Climber::Result result = climber.render(spp, reference_seed, {}, teller.observer("reference"));
-    check_interruption();
-    return {std::move(result.picture), fmt::format("{} spp of {}", spp, climber.name()),
-            result.noise ? std::optional(result.noise->relmse) : std::nullopt};
-}
-
-/// One picture of one way, and its errors; nothing if that is interrupted.
-std::optional<Run> run_once(const Options &options, Climber &climber, std::size_t rung, uint seed, const Picture &reference, Teller &teller) {
-    const bool by_time = options.rungs.samples.empty();
-    const auto observe = teller.observer(
-        fmt::format("{}, rung {} of {}, repetition {} of {}", climber.name(), rung + 1, options.rungs.count(), seed + 1, options.seeds));
-    const StopRules stop{.error = {}, .seconds = by_time ? std::optional(options.rungs.seconds[rung]) : std::nullopt};
-    const uint random = options.seed.value_or(1) + seed + options.seeds * static_cast<uint>(rung);
-    const Climber::Result result = climber.render(by_time ? max_samples : options.rungs.samples[rung], random, stop, observe);
-    if (is_interrupted()) return std::nullopt;
-    return Run{rung, random, result.samples, result.seconds, errors_of(result.picture, reference)};
-}
-
-/// Rungs one after another, and on each every way with every seed, so that all share what else the machine does; until the program is interrupted.
-std::vector<Series> climb(const Options &options, std::vector<std::unique_ptr<Climber>> &climbers, const Picture &reference, Teller &teller) {
-    std::vector<Series> all;
-    for (const auto &climber : climbers) all.push_back({climber->name(), {}});
-    for (std::size_t rung = 0; rung < options.rungs.count(); ++rung) {
-        for (uint seed = 0; seed < options.seeds; ++seed)
-            for (std::size_t i = 0; i < climbers.size(); ++i) {
-                const std::optional<Run> run = run_once(options, *climbers[i], rung, seed, reference, teller);
-                if (!run) return all;
-                all[i].runs.push_back(*run);
-            }
-        teller.note(fmt::format("rung {} of {} is measured", rung + 1, options.rungs.count()));
-    }
-    return all;
+void check_options(Options &options) {
+    if (options.spp) refuse("--spp", "is the ladder's: --samples says how many");
+    if (!options.pixel.empty()) refuse("--pixel", "is the ladder's: samples lie anywhere in their pixels");
+    check_settings("--set", options.settings), check_settings("--vary", options.varied),
+        check_settings("--reference-set", options.reference_settings);
+    const Rungs &rungs = options.rungs;
+    if (!std::is_sorted(rungs.samples.begin(), rungs.samples.end()) || !std::is_sorted(rungs.seconds.begin(), rungs.seconds.end()))
+        refuse(rungs.samples.empty() ? "--times" : "--samples", "must rise");
+    if (rungs.count() == 0) options.rungs.samples = {1, 2, 4, 8, 16, 32, 64};
+    if (options.renders_reference() && rungs.samples.empty() && !options.reference_spp)
+        refuse("--reference-spp", "needed for --reference auto with --times");
+    if (options.renders_reference()) return;
+    if (!options.reference_settings.empty()) refuse("--reference-set", "needs --reference auto");
+    if (!options.saved_reference.empty()) refuse("--save-reference", "needs --reference auto");
+    if (options.reference_spp) refuse("--reference-spp", "needs --reference auto");
 }
 
 void check_files(const Options &options, const Scene &scene) {
-    DistinctFiles files(scene.files);
+    std::vector<std::string> inputs = scene.files;
+    if (!options.renders_reference()) inputs.push_back(options.reference);
+    DistinctFiles files(inputs);
     for (const auto &[option, file] : {std::pair{"--html", options.html}, {"--csv", options.csv}})
         if (!file.empty()) files.add_output(option, file), check_writable(file);
+    const Window window = scene.film.window();
+    if (options.saved_reference.empty()) return;
+    files.add_output("--save-reference", options.saved_reference);
+    check_reference_writable(options.saved_reference, window.width(), window.height());
 }
 
 /// "NAME=DIR".
 std::pair<std::string, std::string> name_and_folder(const std::string &text) {
     const auto equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) throw CLI::ValidationError("--series", "expected NAME=DIR, got '" + text + "'");
+    if (equals == std::string::npos || equals == 0) refuse("--series", "expected NAME=DIR, got '" + text + "'");
     return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+std::vector<ForeignSeries> read_foreign(const Options &options, const std::vector<Variant> &ways, const Window &window) {
+    std::set<std::string> names;
+    for (const Variant &way : ways)
+        if (!names.insert(way.name).second) refuse("--vary", "two series would be called '" + way.name + "'");
+    std::vector<ForeignSeries> all;
+    for (const std::string &text : options.foreign) {
+        const auto [name, folder] = name_and_folder(text);
+        if (!names.insert(name).second) refuse("--series", "two series would be called '" + name + "'");
+        all.push_back(read_foreign_series(name, folder, window.width(), window.height()));
+    }
+    return all;
+}
+
+Reference rendered_reference(const Options &options, const Climbers &climbers, Teller &teller) {
+    const uint last = options.rungs.samples.empty() ? 0 : options.rungs.samples.back();
+    const uint spp = options.reference_spp.value_or(std::min(last, max_samples / reference_factor) * reference_factor);
+    if (options.reference_settings.empty()) return render_reference(*climbers.front(), spp, teller);
+    Climber climber(options, {fmt::format("{}", fmt::join(options.reference_settings, ", ")), options.reference_settings});
+    climber.prepare();
+    return render_reference(climber, spp, teller);
+}
+
+Reference find_reference(const Options &options, const Climbers &climbers, Teller &teller) {
+    if (!options.renders_reference()) return read_reference(options.reference);
+    Reference reference = rendered_reference(options, climbers, teller);
+    if (!options.saved_reference.empty()) write_reference(options.saved_reference, reference);
+    return reference;
+}
+
+void check_size(const Reference &reference, const Window &window) {
+    if (reference.picture.width != window.width() || reference.picture.height != window.height())
+        throw SceneError(fmt::format("{}: has {} x {} pixels, not {} x {}", reference.name, reference.picture.width, reference.picture.height,
+                                     window.width(), window.height()));
+}
+
+/// Of series in the order of their climbers.
+void add_ways(const Climbers &climbers, const Reference &reference, std::vector<Series> &all) {
+    for (std::size_t i = 0; i < climbers.size(); ++i) {
+        all[i].way = climbers[i]->way();
+        all[i].departures = departures(climbers[i]->way(), reference.way ? *reference.way : climbers.front()->way());
+    }
 }
 
 std::size_t count_runs(const std::vector<Series> &all) {
@@ -128,37 +135,43 @@ std::size_t count_runs(const std::vector<Series> &all) {
 
 /// Whether all was measured that was asked for.
 bool run(Options &options) {
-    if (!std::is_sorted(options.rungs.samples.begin(), options.rungs.samples.end()) ||
-        !std::is_sorted(options.rungs.seconds.begin(), options.rungs.seconds.end()))
-        throw CLI::ValidationError(options.rungs.samples.empty() ? "--times" : "--samples", "must rise");
-    if (options.rungs.count() == 0) options.rungs.samples = {1, 2, 4, 8, 16, 32, 64};
+    check_options(options);
     const std::vector<Variant> ways = variants(options.varied);
     handle_interruptions();
     Teller teller(options.quiet);
-    std::vector<std::unique_ptr<Climber>> climbers;
+    Climbers climbers;
     for (const Variant &way : ways) climbers.push_back(std::make_unique<Climber>(options, way));
-    check_files(options, climbers.front()->scene());
-    const Window window = climbers.front()->scene().film.window();
+    const Scene &scene = climbers.front()->scene();
+    const Window window = scene.film.window();
+    check_files(options, scene);
+    std::vector<ForeignSeries> foreign = read_foreign(options, ways, window);
+    for (const auto &climber : climbers) climber->prepare();
 
-    const Reference reference = make_reference(options, *climbers.front(), teller);
-    for (const auto &climber : climbers) {  // kernels are compiled outside of what is timed
-        climber->render(2, 0, {}, teller.observer("kernels of " + climber->name()));
-        check_interruption();
-    }
-    Convergence convergence{
-        .subject = {options.scene, climbers.front()->job().device.info().name, reference.name, window.width(), window.height(), reference.noise},
-        .series = climb(options, climbers, reference.picture, teller),
-        .summaries = {},
-        .runs_total = options.rungs.count() * options.seeds * climbers.size()};
+    const Reference reference = find_reference(options, climbers, teller);
+    check_size(reference, window);
+    for (const auto &climber : climbers) warm_up(*climber, teller);
+    std::vector<Series> expected = series_of(climbers);
+    add_ways(climbers, reference, expected);
+    for (const std::string &warning : warnings_of_departures(expected, reference)) teller.warn(warning);
+    const Job &job = climbers.front()->job();
+    Convergence convergence{.subject = {scene.file, scene_fingerprint(job), job.device.info().name, program_version(), reference.name, window.width(),
+                                        window.height(), reference.noise, options.settings},
+                            .series = climb({options.rungs, options.seeds, options.seed.value_or(1)}, climbers, reference, teller),
+                            .summaries = {},
+                            .warnings = {},
+                            .runs_total = options.rungs.count() * options.seeds * climbers.size()};
+    add_ways(climbers, reference, convergence.series);
     convergence.runs_done = count_runs(convergence.series);
     if (convergence.runs_done == 0) throw Interrupted();
     std::erase_if(convergence.series, [](const Series &series) { return series.runs.empty(); });
-    for (const std::string &foreign : options.foreign) {
-        const auto [name, folder] = name_and_folder(foreign);
-        convergence.series.push_back(read_foreign_series(name, folder, reference.picture));
-    }
+    for (ForeignSeries &each : foreign) convergence.series.push_back(measured(std::move(each), reference.picture));
     const auto targets = round_targets(convergence.series);
-    for (const Series &series : convergence.series) convergence.summaries.push_back(summarize(series, targets));
+    for (const Series &series : convergence.series) convergence.summaries.push_back(summarize(series, targets, reference.noise));
+    convergence.warnings = warnings_of_departures(convergence.series, reference);
+    for (const std::string &warning : warnings_of_noise(convergence.series, convergence.summaries, reference)) {
+        teller.warn(warning);
+        convergence.warnings.push_back(warning);
+    }
     if (!options.html.empty()) write_text(options.html, convergence_page(convergence));
     if (!options.csv.empty()) write_text(options.csv, convergence_csv(convergence));
     print_result(options.as_json ? convergence_json(convergence).dump(2) + "\n" : convergence_text(convergence));
@@ -179,6 +192,14 @@ void add_converge(CLI::App &app, int &status) {
     command->add_option("--reference-spp", options->reference_spp, "samples of --reference auto (default: 16 times those of the last rung)")
         ->check(whole_numbers(2u, max_samples));
     command
+        ->add_option("--reference-set", options->reference_settings,
+                     "a setting of --reference auto, as in --set (default: those of the first series). A reference is right only for series that "
+                     "converge to the same picture; of others, of other depths say, it is warned")
+        ->expected(1)
+        ->take_all();
+    command->add_option("--save-reference", options->saved_reference,
+                        "write --reference auto as an EXR, which --reference takes again, with what it was made from");
+    command
         ->add_option(
             "--vary", options->varied,
             "KEY=VALUE,VALUE,...: a series for every value of a setting of the scene file, as in --set; several options: for every combination")
@@ -191,12 +212,13 @@ void add_converge(CLI::App &app, int &status) {
         ->delimiter(',')
         ->check(numbers([](double x) { return x > 0 && std::isfinite(x); }, "a finite number of seconds above 0", "SECONDS"))
         ->excludes(samples);
-    command->add_option("--seeds", options->seeds, "repetitions of each rung, with seeds of their own")
+    command->add_option("--seeds", options->seeds, "repetitions of each rung, with seeds of their own from --seed on, or 1")
         ->check(whole_numbers(1u, 10000u))
         ->capture_default_str();
     command
         ->add_option("--series", options->foreign,
-                     "NAME=DIR: pictures of another renderer, and times.json: [{\"file\": \"a.exr\", \"seconds\": 1.5, \"samples\": 16}, ...]")
+                     "NAME=DIR: pictures of another renderer, and times.json: [{\"file\": \"a.exr\", \"seconds\": 1.5, \"samples\": 16}, ...]; with "
+                     "\"seed\" too, and \"rung\" where neither samples nor seconds tell which pictures are repetitions")
         ->expected(1)
         ->take_all();
     command->add_option("--html", options->html, "write a page with plots");

@@ -32,13 +32,25 @@ void ProgressLine::say(const std::string &what) {
     std::fflush(stderr);
 }
 
-/// On a terminal ten times a second on one line, else a line every five seconds; the end always.
-void ProgressLine::show(const RenderProgress &progress) {
+/// On a terminal ten times a second on one line, else a line every five seconds.
+bool ProgressLine::is_due() {
     const auto now = std::chrono::steady_clock::now();
+    if (now - shown_ < std::chrono::milliseconds(terminal_ ? 100 : 5000)) return false;
+    shown_ = now;
+    return true;
+}
+
+void ProgressLine::report(const std::string &what) {
+    if (quiet_ || !is_due()) return;
+    if (terminal_) return say(what);
+    fmt::print(stderr, "{}\n", what);
+}
+
+/// The end always.
+void ProgressLine::show(const RenderProgress &progress) {
     const bool last = progress.samples_done == progress.samples_total;
     pace_.add(progress);
-    if (quiet_ || (!last && now - shown_ < std::chrono::milliseconds(terminal_ ? 100 : 5000))) return;
-    shown_ = now;
+    if (quiet_ || !(is_due() || last)) return;
     fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line_for(pace_, progress), terminal_ ? "" : "\n");
     std::fflush(stderr);
 }

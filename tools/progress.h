@@ -15,6 +15,8 @@ public:
     /// What is being prepared; a terminal shows it until something else is shown.
     void say(const std::string &what);
     void show(const RenderProgress &progress);
+    /// How far something else is: as often as show(), at once the first time.
+    void report(const std::string &what);
     /// How far a file has been read; nothing within the first second.
     void show_reading(const std::string &file, double part);
     /// Clears the line, so that messages can follow.
@@ -22,6 +24,9 @@ public:
 
 private:
     bool quiet_, terminal_;
+    /// Whether it is time to show something again; then it counts as shown now.
+    bool is_due();
+
     Pace pace_;
     std::chrono::steady_clock::time_point shown_;
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -54,7 +54,11 @@ TEST(CliConverge, FollowsTheErrorOfEverySeries) {
     EXPECT_NEAR(fit.at("slope").get<double>(), -1, 5 * fit.at("standard_error").get<double>());
 
     const std::string html = read_file(page), table = read_file(csv);
-    EXPECT_NE(html.find("\"independent\""), std::string::npos);
+    EXPECT_NE(html.find("\"sampler=independent\""), std::string::npos);
+    EXPECT_EQ(result.at("series")[0].at("way").at("settings").at("sampler"), "sobol");
+    EXPECT_EQ(result.at("series")[0].at("way").at("departures"), json::array());
+    EXPECT_EQ(result.at("warnings"), json::array()) << "16 times the samples are enough";
+    EXPECT_EQ(run.err, "") << "nor anything else to say";
     for (const char *outside : {"src=", "href=", "http://www.w3.org/2000/svg\" rel", "@import", "fetch("})
         EXPECT_EQ(html.find(outside), std::string::npos);
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 18);
@@ -84,7 +88,7 @@ TEST(CliConverge, InterruptedReportsWhatWasMeasured) {
 
 TEST(CliConverge, InterruptedBeforeTheFirstRunWritesNothing) {
     const TemporaryFolder folder;
-    const Finished run = interrupted_converge(folder, "reference: 16777216 spp of brandung\n",
+    const Finished run = interrupted_converge(folder, "reference: 0 %\n",
                                               {"--samples", "2", "--reference-spp", "16777216", "--csv", folder.path("runs.csv"), "--json"});
     EXPECT_EQ(run.status, 130) << "signal " << run.signal << run.err;
     EXPECT_EQ(run.out, "");
@@ -92,24 +96,75 @@ TEST(CliConverge, InterruptedBeforeTheFirstRunWritesNothing) {
     EXPECT_NE(run.err.find("interrupted: nothing was measured, and nothing is written\n"), std::string::npos) << run.err;
 }
 
-/// The pictures of another program are measured against the same reference: it is given here, and one of them is itself.
+/// The pictures of another program are measured against the same reference: it is given here, and one of them is itself. They are listed from the
+/// best to the worst, and their rungs come out from the worst to the best.
 TEST(CliConverge, TakesSeriesOfOtherRenderers) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.json", native_scene());
     std::filesystem::create_directory(folder.path("other"));
-    for (const auto &[file, spp] : {std::pair{"reference.exr", "64"}, {"other/a.exr", "2"}, {"other/b.exr", "8"}})
-        render_quietly({scene, "--size", "24x16", "--spp", spp, "-o", folder.path(file)});
-    folder.write("other/times.json", R"([{"file": "a.exr", "seconds": 0.5, "samples": 2}, {"file": "b.exr", "seconds": 2, "samples": 8},
-        {"file": "../reference.exr", "seconds": 9, "samples": 64}])");
+    for (const auto &[file, spp] : {std::pair{"reference.exr", "64"}, {"other/a.exr", "2"}, {"other/b.exr", "8"}, {"small.exr", "1"}})
+        render_quietly({scene, "--size", *spp == '1' ? "8x8" : "24x16", "--spp", spp, "-o", folder.path(file)});
+    folder.write("other/times.json", R"([{"file": "../reference.exr", "seconds": 9, "samples": 64}, {"file": "b.exr", "seconds": 2, "samples": 8},
+        {"file": "a.exr", "seconds": 0.5, "samples": 2}])");
     const Finished run = converge(folder, {"--reference", folder.path("reference.exr"), "--samples", "1", "--seeds", "1", "--series",
                                            "other=" + folder.path("other"), "--json"});
     expect_success(run);
     const json result = json::parse(run.out), &other = result.at("series").at(1);
     EXPECT_EQ(other.at("name"), "other");
-    ASSERT_EQ(other.at("runs").size(), 3u);
+    ASSERT_EQ(other.at("rungs").size(), 3u);
+    EXPECT_EQ(other.at("rungs")[0].at("samples"), 2);
+    EXPECT_EQ(other.at("runs")[1].at("samples"), 8);
     EXPECT_GT(other.at("runs")[0].at("mse"), other.at("runs")[1].at("mse"));
     EXPECT_EQ(other.at("runs")[2].at("mse"), 0);
-    EXPECT_TRUE(result.at("reference_noise").is_null());
+    EXPECT_FALSE(result.at("reference_noise").is_null()) << "render has written it";
+    EXPECT_EQ(other.at("way"), nullptr);
+
+    folder.write("other/times.json", R"([{"file": "../small.exr", "seconds": 1}])");
+    const Finished wrong = converge(folder, {"--reference", "auto", "--series", "other=" + folder.path("other")});
+    EXPECT_EQ(wrong.status, 1);
+    EXPECT_EQ(wrong.err, "brandung: " + folder.path("other/../small.exr") + ": has 8 x 8 pixels, not 24 x 16\n") << "and nothing was rendered before";
+}
+
+/// A mirror, so that a depth of 1 ends rays: it converges to another picture than the reference, whose settings are chosen.
+TEST(CliConverge, WarnsOfWaysThatConvergeToSomethingElse) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.json", native_scene());
+    const std::vector<std::string> base = {"converge", scene,           "--size", "24x16",  "--quiet", "--samples",
+                                           "2",        "--seeds",       "1",      "--json", "--set",   "materials.0.reflection=0.5",
+                                           "--set",    "background=0.3"};
+    const auto with = [&](const std::vector<std::string> &more) {
+        std::vector<std::string> arguments = base;
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Finished run = run_program(arguments);
+        expect_success(run);
+        return std::pair{json::parse(run.out), run.err};
+    };
+    const std::string saved = folder.path("reference.exr");
+    const auto [first, first_err] = with({"--reference", "auto", "--reference-set", "integrator.max_depth=3", "--vary", "integrator.max_depth=1,2",
+                                          "--reference-spp", "32", "--save-reference", saved});
+    EXPECT_EQ(first.at("reference"), "32 spp of integrator.max_depth=3");
+    const std::string warning = "max_depth=1 converges to another picture than the reference: max_depth 1, not 3; its errors are that difference too";
+    EXPECT_EQ(first.at("warnings"), json::array({warning})) << "rays end after one mirror";
+    EXPECT_EQ(first_err, "warning: " + warning + "\n");
+    EXPECT_EQ(first.at("series")[0].at("way").at("biased_by")[0].at("name"), "depth limit");
+    EXPECT_EQ(first.at("series")[0].at("way").at("departures")[0], json({{"setting", "max_depth"}, {"own", "1"}, {"other", "3"}}));
+    // The same picture again, from a file that says what it was made from.
+    const auto [second, second_err] = with({"--reference", saved, "--vary", "integrator.max_depth=1,2"});
+    EXPECT_EQ(second.at("warnings"), first.at("warnings"));
+    EXPECT_NEAR(second.at("reference_noise").get<double>() / first.at("reference_noise").get<double>(), 1, 1e-5);
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_EQ(second.at("series")[i].at("runs")[0].at("mse"), first.at("series")[i].at("runs")[0].at("mse")) << "the same reference, to the bit";
+}
+
+/// A reference of two samples is hardly better than what is measured.
+TEST(CliConverge, WarnsOfANoisyReference) {
+    const TemporaryFolder folder;
+    const Finished run = converge(folder, {"--reference", "auto", "--reference-spp", "2", "--samples", "2,4", "--seeds", "1", "--json"});
+    expect_success(run);
+    const json result = json::parse(run.out);
+    for (const json &rung : result.at("series")[0].at("rungs")) EXPECT_EQ(rung.at("near_reference_noise"), true);
+    EXPECT_NE(run.err.find("is more than a tenth of the relMSE of 2, 4 samples"), std::string::npos) << run.err;
+    EXPECT_EQ(result.at("warnings").size(), 1u);
 }
 
 TEST(CliConverge, RefusesWhatItCannotDo) {
@@ -124,11 +179,20 @@ TEST(CliConverge, RefusesWhatItCannotDo) {
     expect_usage({"--reference", "auto", "--samples", "4", "--times", "1"}, "--times");
     expect_usage({"--reference", "auto", "--times", "1"}, "--reference-spp");
     expect_usage({"--reference", "auto", "--vary", "nothing"}, "--vary");
+    expect_usage({"--reference", "auto", "--vary", "film.sampler=sobol,sobol"}, "two series would be called 'sampler=sobol'");
+    expect_usage({"--reference", "auto", "--spp", "4"}, "--spp: is the ladder's: --samples says how many");
+    expect_usage({"--reference", "auto", "--pixel", "center"}, "--pixel");
+    expect_usage({"--reference", "auto", "--set", "film.spp=4"}, "--set: film.spp is the ladder's");
+    expect_usage({"--reference", "auto", "--vary", "film.seed=4,5"}, "--vary: film.seed is the ladder's");
+    expect_usage({"--reference", "none.exr", "--save-reference", "a.exr"}, "--save-reference: needs --reference auto");
+    expect_usage({"--reference", "none.exr", "--reference-set", "film.filter=tent"}, "--reference-set: needs --reference auto");
     expect_usage({"--reference", "auto", "--samples", "2", "--seeds", "1", "--series", "nothing"}, "--series");
     const Finished unknown = converge(folder, {"--reference", "auto", "--vary", "film.sampler=none"});
     EXPECT_EQ(unknown.status, 1);
     EXPECT_NE(unknown.err.find("film/sampler"), std::string::npos) << unknown.err;
     const Finished missing = converge(folder, {"--reference", "auto", "--samples", "2", "--seeds", "1", "--series", "a=" + folder.path("none")});
     EXPECT_EQ(missing.status, 1);
+    const Finished png = converge(folder, {"--reference", "auto", "--save-reference", folder.path("a.png")});
+    EXPECT_EQ(png.err, "brandung: " + folder.path("a.png") + ": must be an EXR, which keeps floats and what the reference was made from\n");
     EXPECT_NE(missing.err.find("times.json"), std::string::npos) << missing.err;
 }

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "scene/error.h"
 
@@ -13,13 +17,39 @@ namespace {
 
 using nlohmann::json;
 
-/// A number of an entry; `fallback` where there is none, which is an error if it is negative.
-double number(const json &entry, const char *key, double fallback, const std::string &place) {
-    if (!entry.contains(key) && fallback >= 0) return fallback;
-    if (!entry.contains(key) || !entry[key].is_number() || !(entry[key].get<double>() >= 0))
-        throw SceneError(fmt::format("{}: \"{}\" must be a number of at least 0", place, key));
-    return entry[key].get<double>();
-}
+/// An entry of times.json, and its place for errors.
+struct Entry {
+    const json &values;
+    std::string place;
+
+    [[noreturn]] void fail(const char *key, const std::string &what) const {
+        throw SceneError(fmt::format("{}/{}: {}, got {}", place, key, what, values.contains(key) ? values[key].dump() : "nothing"));
+    }
+    /// A finite number, at least `low` or, if `low` is 0 and must not be reached, above it.
+    double number(const char *key, bool above_zero) const {
+        const bool is_number = values.contains(key) && values[key].is_number();
+        const double value = is_number ? values[key].get<double>() : -1;
+        if (!(std::isfinite(value) && (above_zero ? value > 0 : value >= 0)))
+            fail(key, above_zero ? "must be a finite number above 0" : "must be a finite number of at least 0");
+        return value;
+    }
+    std::optional<double> number_if_given(const char *key, bool above_zero) const {
+        return values.contains(key) ? std::optional(number(key, above_zero)) : std::nullopt;
+    }
+    uint seed() const {
+        constexpr uint largest = std::numeric_limits<uint>::max();
+        if (!values.contains("seed")) return 0;
+        const json &seed = values["seed"];
+        if (!seed.is_number_unsigned() || seed.get<std::uint64_t>() > largest)
+            fail("seed", fmt::format("must be a whole number from 0 to {}", largest));
+        return seed.get<uint>();
+    }
+    std::string file() const {
+        if (!values.is_object()) throw SceneError(place + ": must be an object with a \"file\" and \"seconds\"");
+        if (!values.contains("file") || !values["file"].is_string()) fail("file", "must be the name of a picture");
+        return values["file"].get<std::string>();
+    }
+};
 
 json read_times(const std::string &file) {
     std::ifstream in(file);
@@ -29,24 +59,41 @@ json read_times(const std::string &file) {
     return times;
 }
 
+void check_size(const std::string &file, uint width, uint height) {
+    const Picture picture = read_picture(file);
+    if (picture.width != width || picture.height != height)
+        throw SceneError(fmt::format("{}: has {} x {} pixels, not {} x {}", file, picture.width, picture.height, width, height));
+}
+
 }  // namespace
 
-Series read_foreign_series(const std::string &name, const std::string &folder, const Picture &reference) {
-    const std::string file = (std::filesystem::path(folder) / "times.json").string();
-    Series series{name, {}};
-    std::map<double, std::size_t> rungs;  // by samples, or by seconds where these are not told
-    std::size_t place = 0;
-    for (const json &entry : read_times(file)) {
-        const std::string where = fmt::format("{}: /{}", file, place++);
-        if (!entry.is_object() || !entry.contains("file") || !entry["file"].is_string())
-            throw SceneError(where + ": must be an object with a \"file\"");
-        const double seconds = number(entry, "seconds", -1, where), samples = number(entry, "samples", 0, where);
-        const double rung = number(entry, "rung", samples > 0 ? samples : seconds, where);
-        const std::string picture = (std::filesystem::path(folder) / entry["file"].get<std::string>()).string();
-        series.runs.push_back({rungs.try_emplace(rung, rungs.size()).first->second, static_cast<uint>(number(entry, "seed", 0, where)), samples,
-                               seconds, errors_of(read_picture(picture), reference)});
+ForeignSeries read_foreign_series(const std::string &name, const std::string &folder, uint width, uint height) {
+    const std::filesystem::path path(folder);
+    const std::string file = (path / "times.json").string();
+    const json times = read_times(file);
+    ForeignSeries foreign{{name, {}}, {}};
+    std::vector<double> order;  // of runs, by which they make rungs
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const Entry entry{times[i], fmt::format("{}: /{}", file, i)};
+        foreign.pictures.push_back((path / entry.file()).string());
+        const double seconds = entry.number("seconds", true);
+        const std::optional<double> samples = entry.number_if_given("samples", true), rung = entry.number_if_given("rung", false);
+        order.push_back(rung.value_or(samples.value_or(seconds)));
+        foreign.series.runs.push_back({0, entry.seed(), samples.value_or(0), seconds, {}});
+        check_size(foreign.pictures.back(), width, height);
     }
-    return series;
+    std::vector<double> rungs = order;
+    std::sort(rungs.begin(), rungs.end());
+    rungs.erase(std::unique(rungs.begin(), rungs.end()), rungs.end());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        foreign.series.runs[i].rung = static_cast<std::size_t>(std::lower_bound(rungs.begin(), rungs.end(), order[i]) - rungs.begin());
+    return foreign;
+}
+
+Series measured(ForeignSeries foreign, const Picture &reference) {
+    for (std::size_t i = 0; i < foreign.pictures.size(); ++i) foreign.series.runs[i].errors = errors_of(read_picture(foreign.pictures[i]), reference);
+    std::stable_sort(foreign.series.runs.begin(), foreign.series.runs.end(), [](const Run &a, const Run &b) { return a.rung < b.rung; });
+    return std::move(foreign.series);
 }
 
 }  // namespace brandung

@@ -14,7 +14,8 @@ struct Variant {
     std::string name;
     std::vector<std::string> settings;
 };
-/// Every combination of the values of all keys, each "KEY=VALUE,VALUE,..."; one without a change where there are none. Throws CLI::ValidationError.
+/// Every combination of the values of all keys, each "KEY=VALUE,VALUE,...", where commas within brackets or quotation marks part no values; one
+/// without a change where there are none. Names have the last parts of keys, or all where those are the same. Throws CLI::ValidationError.
 std::vector<Variant> variants(const std::vector<std::string> &varied);
 
 /// How much each rung renders: samples per pixel, or seconds.
@@ -24,12 +25,23 @@ struct Rungs {
     std::size_t count() const { return samples.empty() ? seconds.size() : samples.size(); }
 };
 
-/// A scene in one way, ready to be rendered again and again.
+/// The `index`-th seed from `first` on, passing over the one that is taken: no two pictures share random numbers.
+inline uint seed_at(uint first, uint index, std::optional<uint> taken) {
+    const uint seed = first + index;
+    return taken && index >= *taken - first ? seed + 1 : seed;
+}
+
+/// A scene in one way, to be rendered again and again.
 class Climber {
 public:
+    /// Reads the scene.
     Climber(SceneOptions options, const Variant &variant);
+    /// Takes the device and builds kernels; before anything but the scene is asked for.
+    void prepare();
 
-    const std::string &name() const { return name_; }
+    /// With what has biased its pictures so far.
+    const Way &way() const { return way_; }
+    const std::string &name() const { return way_.name; }
     const Job &job() const { return *job_; }
     const Scene &scene() const { return scene_; }
     /// Renders so many samples, or for so long; a single sample lies anywhere in its pixel too.
@@ -41,10 +53,10 @@ public:
     Result render(uint samples, uint seed, const StopRules &stop, const std::function<bool(const RenderProgress &)> &observe);
 
 private:
-    std::string name_;
     SceneOptions options_;
     Scene scene_;
     std::optional<Job> job_;
+    Way way_;
 };
 
 }  // namespace brandung

@@ -1,10 +1,12 @@
 /// Series: the errors of one way of rendering, over samples and time.
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "scene/image.h"
+#include "tools/converge/way.h"
 
 namespace brandung {
 
@@ -27,6 +29,8 @@ struct Run {
 struct Series {
     std::string name;
     std::vector<Run> runs;
+    std::optional<Way> way = {};             ///< of those that are rendered here
+    std::vector<Departure> departures = {};  ///< from the reference, where it is known how that was rendered, or else from the first series
 };
 
 }  // namespace brandung

@@ -4,6 +4,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 namespace brandung {
 namespace {
@@ -32,11 +33,14 @@ template <class Value> std::vector<double> values_of(const std::vector<const Run
     return values;
 }
 
-/// Runs without error, or that took no time, have no logarithm.
-template <class X> std::optional<Slope> slope_of(const Series &series, const std::string &measure, X x_of) {
+constexpr double largest_share = 0.1;  ///< of a rung's relMSE that a good reference's noise has
+
+/// Runs without error, or that took no time, have no logarithm; those of rungs that are left out do not count.
+template <class X> std::optional<Slope> slope_of(const Series &series, const std::string &measure, const std::set<std::size_t> &left_out, X x_of) {
     std::vector<double> x, y;
     for (const Run &run : series.runs)
-        if (run.errors.at(measure) > 0 && x_of(run) > 0) x.push_back(std::log(x_of(run))), y.push_back(std::log(run.errors.at(measure)));
+        if (!left_out.contains(run.rung) && run.errors.at(measure) > 0 && x_of(run) > 0)
+            x.push_back(std::log(x_of(run))), y.push_back(std::log(run.errors.at(measure)));
     if (x.size() < 3) return std::nullopt;
     const double x_mean = mean_of(x), y_mean = mean_of(y);
     double xx = 0, xy = 0, residuals = 0;
@@ -44,40 +48,49 @@ template <class X> std::optional<Slope> slope_of(const Series &series, const std
     if (xx == 0) return std::nullopt;
     const double slope = xy / xx;
     for (std::size_t i = 0; i < x.size(); ++i) residuals += std::pow(y[i] - y_mean - slope * (x[i] - x_mean), 2);
-    return Slope{slope, std::sqrt(residuals / double(x.size() - 2) / xx)};
+    return Slope{slope, std::sqrt(residuals / double(x.size() - 2) / xx), std::exp(x_mean), std::exp(y_mean)};
 }
 
 /// The first time at which the means of the rungs are down to `error`.
-std::optional<double> seconds_to(const std::vector<Rung> &rungs, const std::string &measure, double error) {
+Target target_of(const std::vector<Rung> &rungs, const std::string &measure, double error) {
+    if (rungs.front().errors.at(measure).mean < error) return {error, {}, Target::Reached::before};
     for (std::size_t i = 1; i < rungs.size(); ++i) {
         const double before = rungs[i - 1].errors.at(measure).mean, after = rungs[i].errors.at(measure).mean;
-        if (!(before >= error && after <= error && after > 0)) continue;
-        const double part = before > after ? std::log(before / error) / std::log(before / after) : 0;
-        return rungs[i - 1].seconds * std::pow(rungs[i].seconds / rungs[i - 1].seconds, part);
+        if (!(before >= error && after <= error)) continue;
+        const double part = after <= 0 ? 1 : before > after ? std::log(before / error) / std::log(before / after) : 0;
+        return {error, rungs[i - 1].seconds * std::pow(rungs[i].seconds / rungs[i - 1].seconds, part), Target::Reached::within};
     }
-    return std::nullopt;
+    return {error, {}, Target::Reached::not_yet};
 }
 
 }  // namespace
 
-Summary summarize(const Series &series, const std::map<std::string, std::vector<double>> &targets) {
+Summary summarize(const Series &series, const std::map<std::string, std::vector<double>> &targets, std::optional<double> reference_noise) {
     Summary summary{};
+    std::set<std::size_t> left_out;
     for (const auto &[number, runs] : by_rung(series)) {
         Rung &rung = summary.rungs.emplace_back();
-        rung.runs = runs.size();
+        rung.number = number, rung.runs = runs.size();
         rung.samples = mean_of(values_of(runs, [](const Run &run) { return run.samples; }));
         rung.seconds = mean_of(values_of(runs, [](const Run &run) { return run.seconds; }));
         for (const std::string &measure : followed_measures())
             rung.errors[measure] = mean_with_confidence(values_of(runs, [&](const Run &run) { return run.errors.at(measure); }));
+        rung.near_reference = reference_noise && *reference_noise > largest_share * rung.errors.at("relmse").mean;
+        if (rung.near_reference) left_out.insert(number);
     }
     for (const std::string &measure : followed_measures()) {
-        summary.by_seconds[measure] = slope_of(series, measure, [](const Run &run) { return run.seconds; });
-        summary.by_samples[measure] = slope_of(series, measure, [](const Run &run) { return run.samples; });
-        for (const double error : targets.at(measure)) summary.targets[measure].push_back({error, seconds_to(summary.rungs, measure, error)});
+        summary.by_seconds[measure] = slope_of(series, measure, left_out, [](const Run &run) { return run.seconds; });
+        summary.by_samples[measure] = slope_of(series, measure, left_out, [](const Run &run) { return run.samples; });
+        for (const double error : targets.at(measure)) summary.targets[measure].push_back(target_of(summary.rungs, measure, error));
     }
     const Rung &last = summary.rungs.back();
     summary.efficiency = 1 / (last.errors.at("mse").mean * last.seconds);
     return summary;
+}
+
+bool is_near_reference(const Summary &summary, const Run &run) {
+    const auto of_run = [&](const Rung &rung) { return rung.number == run.rung; };
+    return std::find_if(summary.rungs.begin(), summary.rungs.end(), of_run)->near_reference;
 }
 
 std::map<std::string, std::vector<double>> round_targets(const std::vector<Series> &all) {

@@ -12,31 +12,37 @@ struct RungMean {
     double mean, low, high;  ///< bounds of an interval of 95 % by Student's t; equal to the mean of a single run
 };
 struct Rung {
+    std::size_t number;  ///< as Run::rung
     std::size_t runs;
     double samples, seconds;  ///< means
     std::map<std::string, RungMean> errors;
+    bool near_reference = false;  ///< whether the reference's own noise is more than a tenth of its relMSE
 };
 
-/// error ~ x^slope, fitted by least squares to the logarithms of all runs.
+/// error ~ x^slope, fitted by least squares to the logarithms of all runs but those of rungs near the reference; the line goes through (x, y).
 struct Slope {
-    double slope, standard_error;
+    double slope, standard_error, x, y;
 };
 
 /// An error, and the seconds that it takes to get there: between rungs by a straight line in logarithms; nothing outside of what was rendered.
 struct Target {
+    enum class Reached { before, within, not_yet };  ///< the first rung; the rungs; by the last rung
     double error;
     std::optional<double> seconds;
+    Reached reached;
 };
 
 struct Summary {
     std::vector<Rung> rungs;
-    std::map<std::string, std::optional<Slope>> by_seconds, by_samples;  ///< nothing of fewer than three runs, or of one rung
+    std::map<std::string, std::optional<Slope>> by_seconds, by_samples;  ///< nothing of fewer than three such runs, or of one rung
     std::map<std::string, std::vector<Target>> targets;
     double efficiency;  ///< 1 / (MSE × seconds) of the last rung: of independent samples the same whatever their number
 };
 
-/// `targets`: errors to reach, by measure.
-Summary summarize(const Series &series, const std::map<std::string, std::vector<double>> &targets);
+/// `targets`: errors to reach, by measure. `reference_noise`: relMSE of the reference, where it is known.
+Summary summarize(const Series &series, const std::map<std::string, std::vector<double>> &targets, std::optional<double> reference_noise = {});
+
+bool is_near_reference(const Summary &summary, const Run &run);
 
 /// Powers of ten, and halfway between them, that lie among the errors of some series; by measure.
 std::map<std::string, std::vector<double>> round_targets(const std::vector<Series> &all);

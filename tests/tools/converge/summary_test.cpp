@@ -1,12 +1,14 @@
-/// tools/converge/summary and variants.
+/// tools/converge: what follows from runs.
 #include "tools/converge/summary.h"
 
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <set>
 
 #include "tools/converge/ladder.h"
+#include "tools/converge/report.h"
 
 namespace brandung {
 namespace {
@@ -63,15 +65,76 @@ TEST(ConvergenceSummary, TimesToErrorsLieBetweenRungs) {
     EXPECT_NEAR(summary.targets.at("mse")[0].seconds.value(), 10.0 / 3, 1e-9);
     EXPECT_FALSE(summary.targets.at("mse")[1].seconds);
     EXPECT_FALSE(summary.targets.at("mse")[2].seconds);
+    EXPECT_EQ(summary.targets.at("mse")[0].reached, Target::Reached::within);
+    EXPECT_EQ(summary.targets.at("mse")[1].reached, Target::Reached::before);
+    EXPECT_EQ(summary.targets.at("mse")[2].reached, Target::Reached::not_yet);
+}
+
+/// Errors 0.1, 0.05, ... 0.1 / 16, and 0.001 of noise in the reference, which a tenth of the last two is less than. The fourth is made twice what it
+/// should be: no slope must see it.
+TEST(ConvergenceSummary, RungsNearTheReferencesNoiseAreMarkedAndNotFitted) {
+    Series series = series_of(inverse, 5);
+    series.runs.back().errors["mse"] *= 2;
+    const Summary summary = summarize(series, round_targets({}), 0.001), unknown = summarize(series, round_targets({}));
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_EQ(summary.rungs[i].near_reference, i == 4) << i;
+        EXPECT_FALSE(unknown.rungs[i].near_reference);
+    }
+    EXPECT_TRUE(is_near_reference(summary, series.runs[4]));
+    EXPECT_FALSE(is_near_reference(summary, series.runs[3]));
+    EXPECT_NEAR(summary.by_samples.at("mse")->slope, -1, 1e-12);
+    EXPECT_GT(unknown.by_samples.at("mse")->slope, -0.9);
+    EXPECT_NEAR(summary.by_samples.at("mse")->x, std::pow(2, 1.5), 1e-12) << "the geometric mean of 1, 2, 4, 8";
+    EXPECT_NEAR(summary.by_samples.at("mse")->y, 0.1 / std::pow(2, 1.5), 1e-12);
+}
+
+/// Seeds from 24300 on meet the reference's, 24301, and those from 2^32 - 1 on go round.
+TEST(ConvergenceLadder, SeedsAreAllDifferentFromEachOtherAndTheReferences) {
+    for (const uint first : {24300u, 0xffffffffu, 0u}) {
+        std::set<uint> seeds = {24301u};
+        for (uint i = 0; i < 10; ++i) EXPECT_TRUE(seeds.insert(seed_at(first, i, 24301u)).second) << first << " + " << i;
+    }
+    EXPECT_EQ(seed_at(5, 3, {}), 8u);
+}
+
+TEST(ConvergenceWays, DepartWhereSettingsChangeWhatTheyConvergeTo) {
+    const Way way{
+        "a", {{"sampler", "sobol"}, {"max_depth", "5"}, {"filter", "box"}, {"threshold", "0"}, {"light_samples", "1"}, {"scene_hash", "1"}}, {}};
+    const auto departing = [&](const char *setting, const char *value, bool is_cut = false) {
+        Way other = way;
+        other.settings[setting] = value;
+        if (is_cut) other.biased_by["depth limit"] = "";
+        return departures(other, way).size();
+    };
+    EXPECT_EQ(departing("sampler", "independent"), 0u) << "only noise";
+    EXPECT_EQ(departing("light_samples", "2"), 0u);
+    EXPECT_EQ(departing("light_samples", "0"), 1u);
+    EXPECT_EQ(departing("max_depth", "4"), 0u) << "ends no ray";
+    EXPECT_EQ(departing("max_depth", "4", true), 1u);
+    EXPECT_EQ(departing("threshold", "0.1"), 1u);
+    EXPECT_EQ(departing("filter", "tent"), 1u);
+    EXPECT_EQ(departing("scene_hash", "2"), 1u) << "a material, say";
+}
+
+/// A name with everything that means something in CSV (RFC 4180).
+TEST(ConvergenceReport, NamesAreQuotedInCsv) {
+    Convergence convergence{.subject = {}, .series = {series_of(inverse, 1)}, .summaries = {}};
+    convergence.series[0].name = "a \"b\", c";
+    convergence.summaries = {summarize(convergence.series[0], round_targets({}))};
+    EXPECT_EQ(convergence_csv(convergence),
+              "series,rung,seed,samples,seconds,mse,relmse,mape,flip,near_reference_noise\n\"a \"\"b\"\", c\",0,0,1,1,0.1,0.1,0.1,0.1,0\n");
 }
 
 TEST(ConvergenceVariants, AreAllCombinations) {
     const std::vector<Variant> all = variants({"film.sampler=sobol,independent", "accelerator=none,wide_bvh"});
     ASSERT_EQ(all.size(), 4u);
-    EXPECT_EQ(all[1].name, "sobol, wide_bvh");
+    EXPECT_EQ(all[1].name, "sampler=sobol, accelerator=wide_bvh");
     EXPECT_EQ(all[1].settings, (std::vector<std::string>{"film.sampler=sobol", "accelerator=wide_bvh"}));
     EXPECT_EQ(variants({}).size(), 1u);
     EXPECT_TRUE(variants({})[0].settings.empty());
+    const std::vector<Variant> lists = variants({"objects.0.center=[1,0,0],[0,1,0]", "objects.1.center=[2,0,0]"});
+    ASSERT_EQ(lists.size(), 2u);
+    EXPECT_EQ(lists[1].name, "objects.0.center=[0,1,0], objects.1.center=[2,0,0]") << "their last parts are the same";
     for (const char *wrong : {"film.sampler", "=sobol", "film.sampler=", "film.sampler=a,,b"}) EXPECT_THROW(variants({wrong}), CLI::ValidationError);
 }
 

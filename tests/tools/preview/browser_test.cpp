@@ -3,32 +3,12 @@
 #include <httplib.h>
 
 #include <csignal>
-#include <cstdio>
 #include <regex>
 
+#include "tests/tools/browser.h"
 #include "tests/tools/program.h"
 
 namespace {
-
-std::string output_of(const std::string &command) {
-    FILE *const pipe = popen(command.c_str(), "r");
-    std::string text;
-    char part[4096];
-    for (std::size_t got = 0; (got = fread(part, 1, sizeof part, pipe)) > 0;) text.append(part, got);
-    pclose(pipe);
-    return text;
-}
-
-/// The page as it is after so many milliseconds by its own clock, which stands still while it loads something.
-std::string page_after(const std::string &url, int milliseconds, const std::string &profile) {
-    return output_of("timeout 60 chromium --headless --no-sandbox --disable-gpu --user-data-dir='" + profile +
-                     "' --virtual-time-budget=" + std::to_string(milliseconds) + " --dump-dom " + url + " 2>/dev/null");
-}
-
-std::string text_of(const std::string &page, const std::string &id) {
-    std::smatch found;
-    return std::regex_search(page, found, std::regex("id=\"" + id + "\"[^>]*>([^<]*)<")) ? found[1].str() : "";
-}
 
 /// "12&nbsp;%" as 12; -1 if there is no number.
 double number_of(const std::string &text) {
@@ -39,7 +19,7 @@ double number_of(const std::string &text) {
 }
 
 TEST(Browser, ShowsARenderThatGrows) {
-    if (output_of("command -v chromium").empty()) GTEST_SKIP() << "chromium is not installed";
+    if (!has_browser()) GTEST_SKIP() << "chromium is not installed";
     const TemporaryFolder folder;
     std::string early, late;
     const auto look = [&](const std::string &err) {
