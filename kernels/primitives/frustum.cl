@@ -18,14 +18,21 @@ FUNCTION FrustumShading frustum_view(const global ShadingRecord *record) {
     return frustum;
 }
 
+/// A direction across the axis, not of unit length.
+FUNCTION vec3 frustum_across(vec3 axis) {
+    const bool in_xy = fabs(axis.x) > fabs(axis.z);
+    return make3(in_xy ? -axis.y : 0.0f, in_xy ? axis.x : -axis.z, in_xy ? 0.0f : axis.y);
+}
+
 /// The point is put back onto the surface, so that its error does not grow with the ray's length: between the ends too, since beyond a tip is none.
-/// Near the axis the way outward is what rounding leaves of f; made perpendicular once more, it is so to the last digits.
+/// Near the axis the way outward is what rounding leaves of f; made perpendicular once more, it is so to the last digits. Where it leaves nothing, at
+/// the tip or seen from so far that all of the frustum is one place, any way outward will do.
 FUNCTION Surface frustum_surface(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
     const FrustumShading frustum = frustum_view(record);
     const vec3 f = plus(minus(ray.origin, frustum.center), scaled(ray.direction, hit.t));
     const float z = dot3(f, frustum.axis);
     const vec3 rough = minus(f, scaled(frustum.axis, z)), x = minus(rough, scaled(frustum.axis, dot3(rough, frustum.axis)));
-    const vec3 outward = where(dot3(x, x) > 0.0f, unit(x), make3(0.0f, 0.0f, 0.0f));  // at the very tip the normal is the axis
+    const vec3 outward = unit(where(dot3(x, x) > 0.0f, x, frustum_across(frustum.axis)));
     const float place = minimum(maximum(z, -frustum.half_length), frustum.half_length);
     const float radius = maximum(fma(frustum.slope, place, frustum.radius), 0.0f);
     Surface surface;
@@ -42,7 +49,7 @@ FUNCTION Surface frustum_surface(Scene scene, const global ShadingRecord *record
 FUNCTION Pattern frustum_pattern(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
     const FrustumShading frustum = frustum_view(record);
     const vec3 f = plus(minus(ray.origin, frustum.center), scaled(ray.direction, hit.t)), axis = frustum.axis;
-    const vec3 x = unit(fabs(axis.x) > fabs(axis.z) ? make3(-axis.y, axis.x, 0.0f) : make3(0.0f, -axis.z, axis.y));
+    const vec3 x = unit(frustum_across(axis));
     const vec3 y = make3(axis.y * x.z - axis.z * x.y, axis.z * x.x - axis.x * x.z, axis.x * x.y - axis.y * x.x);
     Pattern pattern = {{0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}};
     pattern.uv.x = 0.5f + INVERSE_TWO_PI * arctangent(dot3(f, y), dot3(f, x));

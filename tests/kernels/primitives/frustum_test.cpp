@@ -98,5 +98,16 @@ TEST(FrustumSurface, TheTipHasANormal) {
     EXPECT_GT(hits, 0u);
 }
 
+/// t = 2^30 - 1 is rounded to 2^30, which leads to the axis, where there is no way outward.
+TEST(FrustumSurface, APointIsOnTheSurfaceWhereRoundingLeadsToTheAxis) {
+    std::vector<std::unique_ptr<Shape>> shapes;
+    shapes.push_back(shape_of(cylinder));
+    const SpawnResult result = CrossingProbe<FrustumBlock>(frustum_kind, shapes).spawned({make_ray({0x1p30f, 0, 0}, {-1, 0, 0})}, {vec3(1, 0, 0)})[0];
+    ASSERT_TRUE(result.first.hit);
+    EXPECT_EQ(result.first.t, 0x1p30f);
+    EXPECT_NEAR(glm::length(vec2(result.surface.p)), 1, 1e-6);
+    EXPECT_NEAR(glm::length(vec2(result.surface.geometric)), 1, 1e-6);
+}
+
 }  // namespace
 }  // namespace brandung
