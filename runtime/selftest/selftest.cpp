@@ -35,12 +35,12 @@ bool is_wanted(const SubjectEntry &subject, const std::vector<std::string> &only
 }  // namespace
 
 std::vector<SubjectReport> run_selftest(Device &device, const SelfTestOptions &options) {
-    const double end = seconds_now() + options.seconds;
     std::vector<Run> runs;
     for (const SubjectEntry &subject : subjects())
         if (is_wanted(subject, options.only)) runs.push_back({{.subject = &subject, .findings = {}, .fault = {}}, {}});
     for (Run &run : runs)
         for (uint round = 0; round < run.report.subject->rounds && run.report.passed() && !options.stop(); ++round) run_round(device, run, options);
+    const double end = seconds_now() + options.seconds;
     while (seconds_now() < end && !options.stop())
         for (Run &run : runs)
             if (run.report.passed() && !options.stop()) run_round(device, run, options);

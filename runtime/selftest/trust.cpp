@@ -107,12 +107,15 @@ Trust known_trust(const DeviceInfo &device) {
     Trust trust{.warning = verdicts.warning};
     const json *const entry = entry_of(verdicts.list, key_of(device));
     if (!entry || entry->at("subjects").empty()) return trust;
+    std::string passed_since, failed_since;
     for (const auto &[name, subject] : entry->at("subjects").items()) {
         const auto date = subject["date"].get<std::string>();
-        if (trust.date.empty() || date < trust.date) trust.date = date;
+        std::string &oldest = subject["passed"] ? passed_since : failed_since;
+        if (oldest.empty() || date < oldest) oldest = date;
         if (!subject["passed"])
             trust.why_not += fmt::format("{}{} (kernels {})", trust.why_not.empty() ? "" : ", ", name, subject["kernels"].get<std::string>());
     }
+    trust.date = trust.why_not.empty() ? passed_since : failed_since;
     trust.outcome = !trust.why_not.empty() ? Outcome::failed : is_whole(entry->at("subjects")) ? Outcome::passed : Outcome::incomplete;
     return trust;
 }

@@ -12,7 +12,7 @@ std::string verdicts_file();
 
 struct Trust {
     Outcome outcome = Outcome::untried;
-    std::string date;     ///< since when it is known: YYYY-MM-DD, of the oldest verdict on a subject; empty where it is untried
+    std::string date;     ///< YYYY-MM-DD, of the oldest failure, or else pass, of a subject; empty where it is untried
     std::string why_not;  ///< names the subjects that failed, and their kernels; empty: none is known to have
     std::string warning;  ///< about the file
 };

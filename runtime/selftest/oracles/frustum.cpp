@@ -155,11 +155,13 @@ public:
         return (record.across(p) - record.radius_at(record.place(p))) / square_root(1 + record.slope * record.slope);
     }
 
-    /// The point that is put back, o + t d - c, is off by 8 u (|f| + t |d|), and its direction from the axis by that over its distance from the axis.
+    /// The point o + t d - c is off by 2 u (|f| + t |d|), and its part across the axis by 3 u of it more: of what is subtracted, and twice of what
+    /// remains, while rounding of the part along the axis is taken away by being made perpendicular once more. That, and a fifth for what is not
+    /// small, turns it by its ratio to the distance from the axis.
     Normal normal_on(Lane lane, const Ray &ray, extended t) const override {
         const Frustum record = frustum_of(lane);
         const Vector f = Vector(ray.origin) - record.center, d = ray.direction, there = f + d * t, axis = record.unit_axis();
-        const extended error = 16 * unit_roundoff * (length(f) + t * length(d)) / record.across(there) + 8 * unit_roundoff;
+        const extended error = 6 * unit_roundoff * (length(f) + t * length(d)) / record.across(there) + 8 * unit_roundoff;
         return {unit(unit(there - axis * dot(there, axis)) - axis * record.slope), error};
     }
 

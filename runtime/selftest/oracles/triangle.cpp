@@ -25,8 +25,9 @@ Vector normal_of(const Corners &v) { return cross(Vector(v[1]) - Vector(v[0]), V
 
 /// Edge functions E = x y' - y x' of two vertices, as the ray sees them along the axis of its direction's largest component, d_z: one for each
 /// vertex, whose weight it is over the sum of all three. Their signs are exact for the vertices as rounded there, of which x = (a - o)_x - (d_x /
-/// d_z) (a - o)_z is off by u (|a - o|_x + 3 |d_x / d_z| |a - o|_z + |x|): two differences, a quotient, a product, and the last difference. The exact
-/// ones are triple products d . (w x w') / d_z. Products of less than 2^-102 lose digits of theirs to 2^-149.
+/// d_z) (a - o)_z is off by u (|a - o|_x + 3 |d_x / d_z| |a - o|_z + |x|): two differences, a quotient, which may be subnormal and then is off by
+/// 2^-149, a product, and the last difference. The exact ones are triple products d . (w x w') / d_z. Products of less than 2^-102 lose digits of
+/// theirs to 2^-149.
 struct EdgeFunctions {
     std::array<extended, 3> value, error;
     extended sum() const { return value[0] + value[1] + value[2]; }
@@ -42,7 +43,8 @@ EdgeFunctions edge_functions(const Corners &v, const Ray &ray) {
             const int axis = axes[k];
             const extended across = extended(v[i][axis]) - ray.origin[axis], along = extended(d[axis]) / d[z] * (extended(v[i][z]) - ray.origin[z]);
             at[i][k] = across - along;
-            off[i][k] = unit_roundoff * (absolute(across) + 3 * absolute(along) + absolute(at[i][k])) + 0x1p-147;
+            off[i][k] = unit_roundoff * (absolute(across) + 3 * absolute(along) + absolute(at[i][k])) +
+                        0x1p-149 * (1 + absolute(extended(v[i][z]) - ray.origin[z]));
         }
     EdgeFunctions edges;
     for (int i = 0; i < 3; ++i) {
