@@ -59,7 +59,7 @@ json runs_json(const Series &series) {
 }
 
 std::string slope_text(const std::optional<Slope> &slope) {
-    return slope ? fmt::format("{:.2f} ± {:.2f}", slope->slope, slope->standard_error) : "-";
+    return slope ? fmt::format("{:.2f} ± {:.2f}", slope->slope, slope->standard_error) : "unknown (too few runs)";
 }
 
 /// What the series depends on beyond its noise, null where another renderer has made it.
