@@ -181,8 +181,6 @@ TEST(CliConverge, RefusesWhatItCannotDo) {
     expect_usage({"--reference", "auto", "--vary", "nothing"}, "--vary");
     expect_usage({"--reference", "auto", "--vary", "film.sampler=sobol,sobol"}, "two series would be called 'sampler=sobol'");
     expect_usage({"--reference", "auto", "--spp", "4"}, "--spp: is the ladder's: --samples says how many");
-    expect_usage({"--reference", "auto", "--pixel", "center"}, "--pixel");
-    expect_usage({"--reference", "auto", "--set", "film.spp=4"}, "--set: film.spp is the ladder's");
     expect_usage({"--reference", "auto", "--vary", "film.seed=4,5"}, "--vary: film.seed is the ladder's");
     expect_usage({"--reference", "none.exr", "--save-reference", "a.exr"}, "--save-reference: needs --reference auto");
     expect_usage({"--reference", "none.exr", "--reference-set", "film.filter=tent"}, "--reference-set: needs --reference auto");
