@@ -26,6 +26,7 @@
 #include "kernels/primitives/smooth_triangle.h"
 #include "kernels/primitives/sphere.h"
 #include "kernels/primitives/surface.h"
+#include "kernels/selftest/all_hits.h"
 #include "kernels/stages/describe_hits.h"
 #include "kernels/stages/describe_lights.h"
 #include "kernels/stages/face_list.h"
@@ -78,6 +79,7 @@ const Layouts &host_layouts() {
         RECORD(LightDescription, irradiance, cosine, refusals),
         RECORD(PassedFace, p, enters, hit, transmission, instance),
         RECORD(Tally, rays, hits),
+        RECORD(MetPrimitives, closest, all),
         RECORD(Sample, sum),
         RECORD(Integer128, low, high),
         RECORD(FilmPixel, sums, squares, counts),
