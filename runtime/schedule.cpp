@@ -39,7 +39,7 @@ void Schedule::end_pass(uint samples, double seconds, const std::optional<Noise>
 
 std::optional<double> Schedule::samples_left() const {
     if (!rules_.error || !noise_) return std::nullopt;
-    return done_ * std::max(std::pow(noise_->high() / *rules_.error, 1 / slope_) - 1, 0.0);
+    return done_ * std::max(std::pow(noise_->high / *rules_.error, 1 / slope_) - 1, 0.0);
 }
 
 double Schedule::part(double of_samples, double seconds) const {

@@ -29,7 +29,7 @@ public:
     bool needs_noise() const { return rules_.error.has_value(); }
     /// Whether the time is over, in the middle of a pass too.
     bool is_late(double seconds) const { return done_ > 0 && rules_.seconds && seconds - start_ >= *rules_.seconds; }
-    bool has_reached_error() const { return rules_.error && noise_ && noise_->high() <= *rules_.error; }
+    bool has_reached_error() const { return rules_.error && noise_ && noise_->high <= *rules_.error; }
 
     uint samples_done() const { return done_; }  ///< of each pixel, by complete passes
     /// How much of the render is done, from 0 to 1: at least the part of its samples, and more if a rule may end it earlier.

@@ -53,7 +53,7 @@ std::map<std::string, std::string> metadata(const Job &job, const PhaseSeconds &
     if (!job.distrust.empty()) metadata.insert({"brandung:distrust", job.distrust});
     if (end.noise)
         metadata.insert({{"brandung:noise", fmt::format("{:.6g}", end.noise->relmse)},
-                         {"brandung:noise_confidence_95", fmt::format("{:.6g} {:.6g}", end.noise->low(), end.noise->high())},
+                         {"brandung:noise_confidence_95", fmt::format("{:.6g} {:.6g}", end.noise->low, end.noise->high)},
                          {"brandung:biased_by", names(biases(job))}});
     if (!end.complete())
         metadata.insert({{running ? "brandung:unfinished" : "brandung:interrupted", "true"}, {"brandung:samples", samples_taken(end)}});

@@ -17,7 +17,7 @@ std::string line_for(const Pace &pace, const RenderProgress &progress) {
     const std::string done(static_cast<std::size_t>(progress.part * bar_width), '#');
     std::string line = fmt::format("[{:<30}] {:3.0f} %", done, 100 * progress.part);
     if (const auto speed = pace.samples_per_second()) line += fmt::format("  {:.2f} M samples/s", *speed * 1e-6);
-    if (const auto &noise = progress.noise) line += fmt::format("  noise {:.3g} ± {:.1g}", noise->relmse, noise->half_width);
+    if (const auto &noise = progress.noise) line += fmt::format("  noise {:.2g} ({:.2g} to {:.2g})", noise->relmse, noise->low, noise->high);
     if (const auto left = pace.seconds_left()) line += fmt::format("  {} left", duration(*left));
     return line;
 }

@@ -56,7 +56,7 @@ namespace {
 void print_estimate(const Job &job, const RenderEnd &end, const std::string &prefix) {
     const double spp = static_cast<double>(end.samples_done) / static_cast<double>(job.film.window().pixels());
     std::string text = fmt::format("{}noise: relMSE {:.3g}, with a confidence of 95 % from {:.3g} to {:.3g}, after {:.4g} spp", prefix,
-                                   end.noise->relmse, end.noise->low(), end.noise->high(), spp);
+                                   end.noise->relmse, end.noise->low, end.noise->high, spp);
     std::string separator = "; wrong beyond that: ";
     for (const auto &bias : biases(job)) text += std::exchange(separator, ", ") + bias["why"].get<std::string>();
     fmt::print(stderr, "{}\n", text);

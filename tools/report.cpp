@@ -150,7 +150,7 @@ json biases(const Job &job) {
 
 json noise_statistics(const std::optional<Noise> &noise) {
     if (!noise) return nullptr;
-    return {{"relmse", noise->relmse}, {"confidence_95", {noise->low(), noise->high()}}};
+    return {{"relmse", noise->relmse}, {"confidence_95", {noise->low, noise->high}}};
 }
 
 json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &end) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 
 #include "runtime/wavefront/relmse_weight.h"
@@ -13,7 +14,13 @@
 namespace brandung {
 namespace {
 
-constexpr double two_sided_95 = 1.95996398;  ///< standard deviations
+/// What a variable of the F-distribution of `k` and `k` degrees of freedom exceeds with a probability of 2.5 %, and its inverse falls below with the
+/// same: x / (1 - x), where x is this quantile of Beta(k/2, k/2).
+double upper_ratio(double k) {
+    double above;
+    const double x = boost::math::ibeta_inv(k / 2, k / 2, 0.975, &above);
+    return x / above;
+}
 
 /// `value` less `correction`, which is much smaller unless there is too much noise to tell; never below 0.
 double corrected(double value, double correction) { return correction > 0 && value > 0 ? value / (1 + correction / value) : value - correction; }
@@ -43,7 +50,8 @@ private:
 
 /// What one channel of a pixel adds to the terms of NoiseSums.
 struct ChannelTerms {
-    double halves, squares, crossed = 0, curvature = 0, mixed = 0;
+    double halves = 0, crossed = 0, curvature = 0, mixed = 0;
+    std::array<double, 2> squares{};  ///< of each half: S_A / 4 and S_B / 4
 };
 
 /// S_A w(B) / 4 and its curvature, A being `half`; `squares`: S_A / 4.
@@ -67,8 +75,12 @@ void add_crossed(const Neighbourhood &pixels, std::size_t half, std::size_t c, d
 ChannelTerms channel_terms(const Neighbourhood &pixels, std::size_t c) {
     const PixelHalves &pixel = pixels.pixel;
     const RelmseWeight weight(pixel.mean(c));
-    ChannelTerms terms{pixel.squared_error_by_halves(c) * weight.w, pixel.squared_error_by_squares(c) * weight.w};
-    for (const std::size_t half : {0, 1}) add_crossed(pixels, half, c, pixel.share(half) * pixel.share(half) * pixel.variances[half][c], terms);
+    ChannelTerms terms{.halves = pixel.squared_error_by_halves(c) * weight.w};
+    for (const std::size_t half : {0, 1}) {
+        const double squares = pixel.squared_error_by_squares(half, c);
+        terms.squares[half] = squares * weight.w;
+        add_crossed(pixels, half, c, squares, terms);
+    }
     return terms;
 }
 
@@ -100,13 +112,12 @@ void add_pixel(const Neighbourhood &pixels, NoiseTerms &sums) {
     ChannelTerms mean{};
     for (std::size_t c = 0; c < 3; ++c) {
         const ChannelTerms terms = channel_terms(pixels, c);
-        mean.halves += terms.halves / 3, mean.squares += terms.squares / 3;
+        mean.halves += terms.halves / 3, mean.squares[0] += terms.squares[0] / 3, mean.squares[1] += terms.squares[1] / 3;
         mean.crossed += terms.crossed / 3, mean.curvature += terms.curvature / 3, mean.mixed += terms.mixed / 3;
     }
-    const double n = pixel.count(), factor = (n - 2) / (2 * (n - 3));
-    sums.halves += mean.halves, sums.squares += mean.squares, sums.crossed += mean.crossed, sums.curvature += mean.curvature;
+    sums.halves += mean.halves, sums.squares += mean.squares[0] + mean.squares[1], sums.crossed += mean.crossed, sums.curvature += mean.curvature;
     sums.halves_squared += mean.halves * mean.halves;
-    sums.fourth_of_halves += factor * mean.halves * mean.halves, sums.fourth_of_squares += factor * mean.squares * mean.squares;
+    sums.squares_squared += mean.squares[0] * mean.squares[1] / (pixel.share(0) * pixel.share(1));
     sums.mixed_squared += mean.mixed * mean.mixed;
 }
 
@@ -129,26 +140,25 @@ NoiseTerms terms_of(std::span<const PixelHalves> rows, std::size_t width, std::s
 void NoiseTerms::add(const NoiseTerms &other) {
     pixels += other.pixels, unknown += other.unknown;
     halves += other.halves, squares += other.squares, crossed += other.crossed, curvature += other.curvature;
-    halves_squared += other.halves_squared, mixed_squared += other.mixed_squared;
-    fourth_of_halves += other.fourth_of_halves, fourth_of_squares += other.fourth_of_squares;
+    halves_squared += other.halves_squared, squares_squared += other.squares_squared, mixed_squared += other.mixed_squared;
     few += other.few, few_squared += other.few_squared;
 }
 
 std::optional<Noise> NoiseTerms::noise() const {
     if (pixels == 0 || unknown > 0) return std::nullopt;
     const double gain = squares > 0 ? halves / squares : 0;
-    // The squares of stratified samples say little of the kurtosis of D, to which few strata contribute: it is 2.4 for one in either half, in which
-    // a sample may see either of two values (1.2 less than 3 on average, for two of them), and comes to 3 with many. In any case it is at least 2,
-    // and where it seems above 16 the few samples that make it so are not to be trusted.
-    const double independent = std::min(gain, 1.0), by_squares = fourth_of_halves - gain * gain * fourth_of_squares;
-    const double variances_squared =
-        std::clamp(independent * by_squares + (1 - independent) * halves_squared / 2.5, halves_squared / 16, halves_squared / 2);
+    // The variances of stratified samples say little of that of D, to which few strata contribute. But its kurtosis is known well enough: at least
+    // 2.4, which is that of one stratum in either half where a sample may see either of two values (1.2 less than 3 on average, for two of them),
+    // and 3 with many.
+    const double independent = std::min(gain, 1.0);
+    const double variances_squared = independent * gain * gain * squares_squared + (1 - independent) * halves_squared / 2.4;
     const double plain = gain * squares, unbiased = gain * corrected(crossed, gain * curvature), change = std::abs(unbiased - plain);
     // Where weights make much of a difference they are doubtful themselves: by an error of their change's own order squared, but not beyond it.
-    const double doubtful = plain > 0 ? std::min(2 * change * change / plain, change) : 0;
+    const double doubtful = (plain > 0 ? std::min(change * change / plain, change) : 0) + few, count = static_cast<double>(pixels);
     // What mixtures weigh is open by about as much as they add.
-    const double variance = 4 * variances_squared + 4 * gain * gain * mixed_squared + 4 * few_squared, count = static_cast<double>(pixels);
-    return Noise{(unbiased + few) / count, (two_sided_95 * std::sqrt(variance) + doubtful + few) / count};
+    const double sum = unbiased + few, sum_of_squares = variances_squared + gain * gain * mixed_squared + few_squared;
+    const double ratio = sum > 0 ? upper_ratio(std::clamp(sum * sum / sum_of_squares, 1.0, count)) : 1;
+    return Noise{sum / count, std::max(sum / ratio - doubtful, 0.0) / count, (sum * ratio + doubtful) / count};
 }
 
 void NoiseSums::add_rows(std::span<const FilmPixel> rows) {

@@ -29,15 +29,12 @@ double PixelHalves::squared_error_by_halves(std::size_t c) const {
     return difference * difference * share(0) * share(1);
 }
 
-double PixelHalves::squared_error_by_squares(std::size_t c) const {
-    return share(0) * share(0) * variances[0][c] + share(1) * share(1) * variances[1][c];
-}
-
 vec3 standard_error(const FilmPixel &film_pixel) {
     const PixelHalves pixel(film_pixel);
     if (!pixel.has_two_samples()) return vec3(std::numeric_limits<float>::infinity());
     const auto error = [&](std::size_t c) {
-        return static_cast<float>(std::sqrt(pixel.has_variances() ? pixel.squared_error_by_squares(c) : pixel.squared_error_by_halves(c)));
+        const double by_squares = pixel.squared_error_by_squares(0, c) + pixel.squared_error_by_squares(1, c);
+        return static_cast<float>(std::sqrt(pixel.has_variances() ? by_squares : pixel.squared_error_by_halves(c)));
     };
     return {error(0), error(1), error(2)};
 }

@@ -13,8 +13,10 @@ struct PixelHalves {
     bool has_two_samples() const { return counts[0] > 0 && counts[1] > 0; }
     bool has_variances() const { return counts[0] > 1 && counts[1] > 1; }
     double mean(std::size_t c) const { return share(0) * means[0][c] + share(1) * means[1][c]; }
-    double squared_error_by_halves(std::size_t c) const;   ///< D² of NoiseSums
-    double squared_error_by_squares(std::size_t c) const;  ///< S of NoiseSums
+    double squared_error_by_halves(std::size_t c) const;                      ///< D² of NoiseSums
+    double squared_error_by_squares(std::size_t half, std::size_t c) const {  ///< S_A / 4 or S_B / 4 of NoiseSums
+        return share(half) * share(half) * variances[half][c];
+    }
 
     double counts[2], means[2][3];
     double variances[2][3];  ///< 0 where one sample leaves it unknown

@@ -174,7 +174,8 @@ uint number_of_runs() {
     return text ? uint(std::atoi(text)) : 150;
 }
 
-/// Of n intervals of 95 % within three standard deviations 95 % ± 3 sqrt(0.95 * 0.05 / n): 93 to 97 % of 1000.
+/// Of n intervals of 95 % within three standard deviations 95 % ± 3 sqrt(0.95 * 0.05 / n): 93 to 97 % of 1000. Errors over estimates, by their
+/// logarithms in standard deviations of the interval, have a variance of 1 within three of its own, sqrt(2 / n): too wide intervals show there.
 TEST_P(NoiseOf, HoldsTheErrorOfThePicture) {
     const uint runs = number_of_runs();
     Scene scene = GetParam().make();
@@ -184,20 +185,23 @@ TEST_P(NoiseOf, HoldsTheErrorOfThePicture) {
     const CompiledScene compiled = compile(scene);
     const DeviceScene on_device(test_device(), compiled);
     uint inside = 0;
-    double estimates = 0, errors = 0;
+    double estimates = 0, errors = 0, deviations_squared = 0;
     for (uint run = 0; run < runs; ++run) {
         scene.film.seed = run;
         Film film(test_device(), scene.film.window());
         Renderer renderer(test_device(), scene, compiled, on_device, scene.cameras[0], {.batch = 8192});
         const RenderEnd end = renderer.render(film);
         const double error = relmse(film.develop(), limits);
-        inside += error >= end.noise->low() && error <= end.noise->high();
+        inside += error >= end.noise->low && error <= end.noise->high;
         estimates += end.noise->relmse, errors += error;
+        const double deviations = 1.95996398 * std::log(error / end.noise->relmse) / std::log(end.noise->high / end.noise->relmse);
+        deviations_squared += deviations * deviations;
     }
+    EXPECT_NEAR(deviations_squared / runs, 1, 3 * std::sqrt(2.0 / runs));
     EXPECT_NEAR(double(inside) / runs, 0.95, 3 * std::sqrt(0.95 * 0.05 / runs));
     EXPECT_NEAR(estimates / errors, 1, 0.02);
     std::cout << "  the error is held by " << inside << " of " << runs << ", relMSE " << errors / runs << ", estimates over errors "
-              << estimates / errors << '\n';
+              << estimates / errors << ", variance of deviations " << deviations_squared / runs << '\n';
 }
 
 INSTANTIATE_TEST_SUITE_P(Renders, NoiseOf,

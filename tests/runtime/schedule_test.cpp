@@ -19,7 +19,7 @@ std::vector<uint> passes(Schedule schedule, double (*relmse)(double samples)) {
     for (uint pass = schedule.next_pass(); pass > 0; pass = schedule.next_pass()) {
         all.push_back(pass), done += pass;
         const double value = relmse(done);
-        schedule.end_pass(pass, done, done > 1 ? std::optional(Noise{value, 0.05 * value}) : std::nullopt);
+        schedule.end_pass(pass, done, done > 1 ? std::optional(Noise{value, 0.95 * value, 1.05 * value}) : std::nullopt);
     }
     EXPECT_EQ(schedule.samples_done(), done);
     return all;
@@ -87,8 +87,8 @@ TEST(Schedule, TimeLeftFollowsFromTheConvergence) {
     Schedule schedule(film_of(1u << 24), 32768, {.error = 0.01, .seconds = {}});
     EXPECT_FALSE(schedule.seconds_left(0));
     schedule.end_pass(5, 105, {});  // kernels were compiled
-    schedule.end_pass(20, 125, Noise{0.04, 0.002});
-    schedule.end_pass(25, 150, Noise{0.02, 0.001});
+    schedule.end_pass(20, 125, Noise{0.04, 0.038, 0.042});
+    schedule.end_pass(25, 150, Noise{0.02, 0.019, 0.021});
     EXPECT_NEAR(schedule.seconds_left(150).value(), 55, 1e-9);
     EXPECT_NEAR(schedule.part(0.001, 150), 50.0 / 105, 1e-9);
 }

@@ -27,7 +27,7 @@ TEST(Cli, MoreThanEightMediaAreMentioned) {
     std::string spheres;
     for (int i = 1; i <= 10; ++i) spheres += "f 1 1 1 0 0 1 1 1.5\ns 0 0 0 0." + std::to_string(i) + "\n";
     const Finished run = run_program({"render", folder.write("scene.nff", nff_scene(spheres)), "-o", folder.path("out.png"), "--quiet", "--explain",
-                                      "--max-depth", "20", "--stats", folder.path("stats.json")});
+                                      "--max-depth", "12", "--stats", folder.path("stats.json")});
     expect_success(run);
     EXPECT_NE(run.err.find(" times a ray entered a transparent body from within 8 others"), std::string::npos) << run.err;
     EXPECT_GT(json::parse(read_file(folder.path("stats.json"))).at("media_lost"), 0);

@@ -42,7 +42,7 @@ json state_json(const PreviewState &state) {
             {"samples_per_second", number_or_null(state.samples_per_second)},
             {"rays_per_second", number_or_null(state.rays_per_second)},
             {"seconds_left", number_or_null(state.seconds_left)},
-            {"error", noise_statistics(state.progress.noise)},
+            {"noise", noise_statistics(state.progress.noise)},
             {"rays", ray_statistics(state.rays)},
             {"kernels", kernel_statistics(state.kernels)},
             {"queues", queues(state)}};

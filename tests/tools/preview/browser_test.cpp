@@ -28,7 +28,7 @@ TEST(Browser, ShowsARenderThatGrows) {
         const std::string url = err.substr(place, end - place);
         const auto state = httplib::Client(url).Get("/state.json");
         if (!state || state->body.find("\"phase\":\"rendering\"") == std::string::npos) return 0;  // kernels are compiled first
-        if (!early.empty() && state->body.find("\"error\":null") != std::string::npos) return 0;   // noise is estimated now and then
+        if (!early.empty() && state->body.find("\"noise\":null") != std::string::npos) return 0;   // noise is estimated now and then
         std::string &page = early.empty() ? early : late;
         page = page_after(url, 2500, folder.path("profile"));
         return late.empty() ? 0 : SIGINT;

@@ -56,7 +56,7 @@ TEST(Web, StateHasEveryPromisedName) {
         "width": 300, "height": 140, "spp": 4, "exposure": 0.0, "phase": "rendering", "doing": null,
         "samples_done": 50, "samples_total": 200, "seconds": 1.5,
         "samples_per_second": 40.0, "rays_per_second": 100.0, "seconds_left": 3.75,
-        "error": {"relmse": 0.25, "confidence_95": [0.125, 0.375]},
+        "noise": {"relmse": 0.25, "confidence_95": [0.125, 0.5]},
         "rays": {"camera": 50, "camera_hits": 40, "reflected": 30, "reflected_hits": 10, "refracted": 20, "refracted_hits": 5,
                  "shadow": 25, "shadow_hits": 1, "total": 125},
         "kernels": [{"name": "intersect", "launches": 3, "items": 100, "milliseconds": 7.5},
