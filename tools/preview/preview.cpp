@@ -80,6 +80,7 @@ void Preview::finish(const RenderEnd &end, Job &job) {
     state_.phase = end.complete() ? PreviewPhase::done : end.failure.empty() ? PreviewPhase::interrupted : PreviewPhase::failed;
     state_.doing = end.failure;
     state_.progress.noise = end.noise;
+    if (end.complete()) state_.progress.part = 1;
     update_counts(job);
     state_.seconds_left.reset();
     take_picture(job.film);

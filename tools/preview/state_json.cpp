@@ -36,6 +36,7 @@ json state_json(const PreviewState &state) {
             {"exposure", subject.style.exposure},
             {"phase", phase_name(state.phase)},
             {"doing", text_or_null(state.doing)},
+            {"part", state.progress.part},
             {"samples_done", state.progress.samples_done},
             {"samples_total", state.progress.samples_total},
             {"seconds", state.progress.seconds},

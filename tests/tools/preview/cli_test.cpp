@@ -116,6 +116,7 @@ TEST_F(PreviewOptions, ThePageGoesOnAsLongAsItWasTold) {
     EXPECT_EQ(picture, 200);
     EXPECT_EQ(state.at("scene"), scene_);
     EXPECT_EQ(state.at("samples_done"), 300 * 200);
+    EXPECT_EQ(state.at("part"), 1);
     EXPECT_EQ(state.at("rays").at("camera"), 300 * 200);
     // The scene mirrors nothing: a batch has a step for the rays from the eye, and an end. 300 * 200 = 32768 + 27232.
     EXPECT_EQ(state.at("queues").at("steps"), json::parse("[[0, 32768, [32768]], [0, 0, [0]], [0, 27232, [27232]], [0, 0, [0]]]"));

@@ -15,7 +15,7 @@ inline SharedState test_state(std::shared_ptr<const Picture> picture, PreviewPha
     PreviewState state;
     state.subject = {"scenes/a.json", "whitted", "wide_bvh", "a device", 300, 140, 4, 1000};
     state.phase = phase;
-    state.progress.samples_done = 50, state.progress.samples_total = 200, state.progress.seconds = 1.5;
+    state.progress.samples_done = 50, state.progress.samples_total = 200, state.progress.part = 0.5, state.progress.seconds = 1.5;
     state.progress.noise = Noise{.relmse = 0.25, .low = 0.125, .high = 0.5};
     state.samples_per_second = 40, state.rays_per_second = 100, state.seconds_left = 3.75;
     state.rays.rays = {50, 30, 20, 25}, state.rays.hits = {40, 10, 5, 1};

@@ -54,7 +54,7 @@ TEST(Web, StateHasEveryPromisedName) {
     EXPECT_EQ(json::parse(answer->body), json::parse(R"({
         "scene": "scenes/a.json", "integrator": "whitted", "accelerator": "wide_bvh", "device": "a device",
         "width": 300, "height": 140, "spp": 4, "exposure": 0.0, "phase": "rendering", "doing": null,
-        "samples_done": 50, "samples_total": 200, "seconds": 1.5,
+        "part": 0.5, "samples_done": 50, "samples_total": 200, "seconds": 1.5,
         "samples_per_second": 40.0, "rays_per_second": 100.0, "seconds_left": 3.75,
         "noise": {"relmse": 0.25, "confidence_95": [0.125, 0.5]},
         "rays": {"camera": 50, "camera_hits": 40, "reflected": 30, "reflected_hits": 10, "refracted": 20, "refracted_hits": 5,
