@@ -11,7 +11,7 @@ namespace brandung {
 /// The error of a picture by chance. What makes it wrong beyond that is not in it: see Integrator::biases().
 struct Noise {
     double relmse;     ///< estimate of the mean over pixels and channels of (value - limit)² / (limit² + 0.01)
-    double low, high;  ///< ends of an interval that holds the error of this very picture with a probability of 95 %
+    double low, high;  ///< ends of an interval that holds the error of this very picture with a probability of 95 %, but see NoiseSums::noise()
 };
 
 /// Sums over pixels, weighed by w, of means over channels; the names are those of NoiseSums.
@@ -33,8 +33,8 @@ struct NoiseTerms {
 /// being the variance of the mean. Where A and B are normal, M² and D² are independent and distributed alike, and the sums over k pixels of the same
 /// V have the ratio of an F-distribution of k and k degrees of freedom. So has any picture, with k = (Σ V)² / Σ V² (Satterthwaite 1946): this is the
 /// interval. V² comes from the variances S_A and S_B of the halves' means, from squares within the halves: these are independent too, and
-/// S² = S_A S_B / 4 has the mean V² whatever the samples' kurtosis. Stratified samples have a greater S = (S_A + S_B) / 4, by a factor g that the
-/// sums of D² and S over the picture give.
+/// S² = S_A S_B / 4 has the mean V² whatever the samples' kurtosis. S = (S_A + S_B) / 4 of stratified samples is too great; the sums over the
+/// picture give g = Σ D² / Σ S, by which it is multiplied.
 ///
 /// The weights w = 1 / (μ² + 0.01) of relMSE are unknown too, and where samples are skewed the picture's own values depend on D². But the variance
 /// of one half and the value of the other do not: the sum X of S_A w(B) / 4 + S_B w(A) / 4 is too large only by the curvature of w,

