@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-
 #include "scene/error.h"
+#include "tools/json_file.h"
 
 namespace brandung {
 namespace {
@@ -74,9 +73,7 @@ std::string names(const char *title, const json &list) {
 }  // namespace
 
 json read_earlier_bench(const std::string &file) {
-    std::ifstream in(file);
-    if (!in) throw SceneError(file + ": no such file");
-    const json earlier = json::parse(in, nullptr, false);
+    const json earlier = read_json(file);
     if (!earlier.is_object()) throw SceneError(file + ": is not what bench --json gives");
     for (const char *text : {"scene", "scene_hash", "program"})
         expect(earlier.contains(text) && earlier[text].is_string(), file, std::string("/") + text, "must be text");

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "scene/error.h"
+#include "tools/json_file.h"
 
 namespace brandung {
 namespace {
@@ -52,9 +52,7 @@ struct Entry {
 };
 
 json read_times(const std::string &file) {
-    std::ifstream in(file);
-    if (!in) throw SceneError(file + ": no such file");
-    json times = json::parse(in, nullptr, false);
+    json times = read_json(file);
     if (!times.is_array() || times.empty()) throw SceneError(file + ": must be a list of {\"file\": ..., \"seconds\": ...}");
     return times;
 }
