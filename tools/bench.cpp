@@ -31,19 +31,17 @@ int run(const Options &options) {
             {.on_build = [&](const std::string &file) { progress.say("building " + file); }, .on_built = {}, .on_launch = {}, .on_step = {}});
     if (!earlier.is_null()) check_same_work(bench_subject(job, options.batch), earlier, options.compared);
     handle_interruptions();
-    const Measurements measurements = measure(job, options.runs, [&](uint run) {
-        progress.say(run == 0 ? "warming up" : fmt::format("run {} of {}", run, options.runs));
-        return !is_interrupted();
-    });
+    const auto tell = [&](uint run) { progress.say(run == 0 ? "warming up" : fmt::format("run {} of {}", run, options.runs)); };
+    const Measurements measurements = measure(job, options.runs, tell, [] { return !is_interrupted(); });
     progress.clear();
-    if (measurements.seconds.empty() || is_interrupted()) {
-        fmt::print(stderr, "interrupted\n");
+    if (measurements.seconds.empty()) {
+        fmt::print(stderr, "interrupted: nothing was measured\n");
         return interrupted_status;
     }
     json bench = bench_json(job, options.batch, measurements);
     if (!earlier.is_null()) bench["comparison"] = comparison_json(bench, earlier);
     print_result(options.as_json ? bench.dump(2) + "\n" : bench_text(bench) + (earlier.is_null() ? "" : "\n" + comparison_text(bench)));
-    return 0;
+    return measurements.interrupted() ? interrupted_status : 0;
 }
 
 }  // namespace
@@ -59,11 +57,9 @@ void add_bench(CLI::App &app, int &status) {
         "kernel\n"
         "searches the scene or a list nothing can be told (-). %copy: of the bytes per second that the device copies at most; floating-point "
         "operations\n"
-        "are not counted, so that this is the only roof. %launch: of the time from when the device could have begun a launch, since it was told to "
-        "and\n"
-        "had nothing else to do, until it ended, the part before it began. %wave: items of a launch over those for which its queue has room (-: "
-        "works\n"
-        "on no queue).\n"
+        "are not counted, so that this is the only roof. %launch: waiting / (waiting + running), where waiting is the time in which a launch was\n"
+        "queued, the device free, and it had not begun. %wave: items of a launch over those for which its queue has room (-: works on no queue).\n"
+        "The rest of a render's seconds is in no kernel: the host's work, transfers, fills of arrays.\n"
         "Example:\n  brandung bench scene.json --json > before.json; brandung bench scene.json --compare before.json");
     command->option_defaults()->group("Bench");
     command->add_option("--runs", options->runs, "renders that are measured, after one to warm up")

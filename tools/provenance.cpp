@@ -16,8 +16,12 @@ std::string scene_fingerprint(const Job &job) { return fmt::format("{:016x}", sc
 std::map<std::string, std::string> settings_of(const Job &job) {
     const char *const positions[] = {"corner", "center", "random"};
     const FilmSettings &film = job.scene.film;
+    const Window window = film.window();
     const IntegratorSettings &integrator = job.scene.integrator;
-    return {{"camera", job.camera.name},
+    return {{"width", std::to_string(film.width)},
+            {"height", std::to_string(film.height)},
+            {"crop", fmt::format("{},{},{},{}", window.left, window.top, window.right, window.bottom)},
+            {"camera", job.camera.name},
             {"integrator", integrator.type},
             {"max_depth", std::to_string(integrator.max_depth)},
             {"threshold", fmt::format("{}", integrator.threshold)},

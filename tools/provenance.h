@@ -11,7 +11,8 @@ namespace brandung {
 std::string program_version();
 /// Of what the scene contains, however it is rendered, in hexadecimal digits.
 std::string scene_fingerprint(const Job &job);
-/// All settings that decide radiance but for size and samples, as in metadata of pictures: {"sampler": "sobol", "max_depth": "5", ...}.
+/// All settings that decide radiance but for samples, as in metadata of pictures: {"sampler": "sobol", "max_depth": "5", ...}; "crop" is the whole
+/// picture where a scene has none.
 std::map<std::string, std::string> settings_of(const Job &job);
 
 }  // namespace brandung

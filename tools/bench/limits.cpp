@@ -1,10 +1,9 @@
 #include "tools/bench/limits.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "runtime/opencl/kernel.h"
-#include "tools/job.h"
+#include "tools/bench/measure.h"
 
 namespace brandung {
 namespace {
@@ -21,8 +20,7 @@ template <class Launch> double median_seconds(Device &device, Launch launch) {
         device.finish();
         times.push_back(seconds_now() - start);
     }
-    std::sort(times.begin() + 1, times.end());
-    return times[5];
+    return median({times.begin() + 1, times.end()});
 }
 
 }  // namespace

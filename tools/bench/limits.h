@@ -5,7 +5,7 @@
 namespace brandung {
 
 struct Limits {
-    double copy_bytes_per_second;  ///< read and written together, of arrays larger than caches
+    double copy_bytes_per_second;  ///< read and written together, of arrays of 64 MiB each
     double flops_per_second;       ///< single precision, a multiply-add being two
     double launch_seconds;         ///< that an empty launch takes
 };

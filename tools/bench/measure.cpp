@@ -29,16 +29,19 @@ void add_run(const Profile &before, const Profile &after, std::map<std::string, 
 
 }  // namespace
 
-Measurements measure(Job &job, uint runs, const std::function<bool(uint run)> &tell) {
-    Measurements all{{}, {}, {}, measure_limits(job.device)};
-    for (uint run = 0; run <= runs && tell(run); ++run) {
+Measurements measure(Job &job, uint runs, const std::function<void(uint run)> &tell, const std::function<bool()> &goes_on) {
+    Measurements all{{}, {}, {}, measure_limits(job.device), runs};
+    const std::vector<Observer> observers = {{0.2, [&](const RenderProgress &) { return goes_on(); }}};
+    for (uint run = 0; run <= runs && goes_on(); ++run) {
+        tell(run);
         job.film.clear();
         job.device.finish();
         const Profile before = job.device.profile();
         const RayCounts counted = job.renderer.integrator().counts();
         double seconds = 0;
-        const RenderEnd end = timed(seconds, [&] { return job.renderer.render(job.film); });
+        const RenderEnd end = timed(seconds, [&] { return job.renderer.render(job.film, observers); });
         if (!end.failure.empty()) throw Error(end.failure);
+        if (!end.complete()) break;
         if (run == 0) continue;  // kernels were compiled
         add_run(before, job.device.profile(), all.kernels);
         all.seconds.push_back(seconds);

@@ -1,5 +1,6 @@
 /// A scene's render, measured kernel by kernel over several runs.
 #pragma once
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -22,10 +23,14 @@ struct Measurements {
     std::vector<double> seconds;  ///< of whole renders
     RayCounts rays;               ///< of one render
     Limits limits;
+    uint runs_total;  ///< that were asked for
+
+    bool interrupted() const { return seconds.size() < runs_total; }
 };
 
-/// Renders once to warm up and then `runs` times; `tell` is told which run begins, 0 being the first, and stops all by false.
-Measurements measure(Job &job, uint runs, const std::function<bool(uint run)> &tell);
+/// Renders once to warm up and then `runs` times. `tell` is told which run begins, 0 being the first; `goes_on` is asked now and then, and ends all
+/// by false: a run that it breaks does not count.
+Measurements measure(Job &job, uint runs, const std::function<void(uint run)> &tell, const std::function<bool()> &goes_on);
 
 double median(std::vector<double> values);
 

@@ -40,16 +40,16 @@ json kernel_json(const std::string &name, const KernelRuns &runs, const Limits &
     return kernel;
 }
 
-/// Medians over the runs of what they spent: the device at work, the device free with work queued, and the device without work.
+/// Medians over the runs of what they spent: kernels at work, the device free with one queued, and the rest: the host, transfers, fills.
 json parts_of_seconds(const Measurements &measurements) {
-    std::vector<double> running, launching, idle;
+    std::vector<double> running, launching, rest;
     for (std::size_t run = 0; run < measurements.seconds.size(); ++run) {
         running.push_back(0), launching.push_back(0);
         for (const auto &[name, runs] : measurements.kernels)
             running.back() += runs.milliseconds.at(run) * 1e-3, launching.back() += runs.waiting_milliseconds.at(run) * 1e-3;
-        idle.push_back(measurements.seconds[run] - running.back() - launching.back());
+        rest.push_back(measurements.seconds[run] - running.back() - launching.back());
     }
-    return {{"running", median(running)}, {"launching", median(launching)}, {"idle", median(idle)}};
+    return {{"running", median(running)}, {"launching", median(launching)}, {"rest", median(rest)}};
 }
 
 /// A number with so many digits behind its point, or a dash for null.
@@ -72,8 +72,7 @@ json bench_subject(const Job &job, uint batch) {
     const FilmSettings &film = job.scene.film;
     const Window window = film.window();
     json settings = settings_of(job);
-    settings["crop"] = fmt::format("{},{},{},{}", window.left, window.top, window.right, window.bottom);
-    settings["width"] = std::to_string(film.width), settings["height"] = std::to_string(film.height), settings["spp"] = std::to_string(film.spp);
+    settings["spp"] = std::to_string(film.spp);
     return {{"scene", job.scene.file},
             {"scene_hash", scene_fingerprint(job)},
             {"settings", settings},
@@ -93,6 +92,8 @@ json bench_json(const Job &job, uint batch, const Measurements &measurements) {
     const double seconds = median(measurements.seconds);
     json all = bench_subject(job, batch);
     all.update({{"runs", measurements.seconds.size()},
+                {"runs_total", measurements.runs_total},
+                {"interrupted", measurements.interrupted()},
                 {"seconds", seconds},
                 {"parts_of_seconds", parts_of_seconds(measurements)},
                 {"rays", ray_statistics(measurements.rays)},
@@ -117,13 +118,15 @@ std::string bench_text(const json &bench) {
         fmt::format("{}, {} x {} pixels, {} spp, {} on {} ({} compute units); batches of {}, medians of {} runs\n", bench["scene"].get<std::string>(),
                     bench["width"].get<uint>(), bench["height"].get<uint>(), bench["spp"].get<uint>(), bench["accelerator"].get<std::string>(),
                     bench["device"].get<std::string>(), bench["compute_units"].get<uint>(), bench["batch"].get<uint>(), bench["runs"].get<uint>());
-    text += fmt::format("render {:.3f} s: kernels {:.3f} s, launching them {:.3f} s, device without work {:.3f} s; {:.2f} M rays/s\n",
-                        bench["seconds"].get<double>(), parts["running"].get<double>(), parts["launching"].get<double>(), parts["idle"].get<double>(),
+    text += fmt::format("render {:.3f} s: kernels {:.3f} s, launching them {:.3f} s, the rest (host, transfers, fills) {:.3f} s; {:.2f} M rays/s\n",
+                        bench["seconds"].get<double>(), parts["running"].get<double>(), parts["launching"].get<double>(), parts["rest"].get<double>(),
                         bench["rays_per_second"].get<double>() * 1e-6);
     text += fmt::format(
         "the device's limits: copies {:.1f} GB/s, computes {:.0f} GFLOP/s (from {:.0f} operations per byte on), an empty launch and back {:.0f} us\n",
         limits["copy_bytes_per_second"].get<double>() * 1e-9, limits["flops_per_second"].get<double>() * 1e-9,
         limits["flops_per_byte_at_the_ridge"].get<double>(), limits["launch_seconds"].get<double>() * 1e6);
+    if (bench["interrupted"].get<bool>())
+        text += fmt::format("interrupted: {} of {} runs\n", bench["runs"].get<uint>(), bench["runs_total"].get<uint>());
     text += "kernels' operations are not counted, nor bytes (-) where they depend on what a kernel finds\n\n";
     text += "kernel                     launches        items        ms      %  M items/s   ns·core  B/item    GB/s  %copy  %launch  %wave\n";
     for (const json &kernel : bench["kernels"]) text += line(kernel, whole);
