@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
 #include <memory>
 #include <set>
 
@@ -48,14 +50,17 @@ void check_settings(const std::string &option, const std::vector<std::string> &s
             if (setting.substr(0, setting.find('=')) == key) refuse(option, fmt::format("{} is the ladder's: {}", key, why));
 }
 
+template <class Value> bool rises(const std::vector<Value> &values) {
+    return std::adjacent_find(values.begin(), values.end(), std::greater_equal()) == values.end();
+}
+
 void check_options(Options &options) {
     if (options.spp) refuse("--spp", "is the ladder's: --samples says how many");
     if (!options.pixel.empty()) refuse("--pixel", "is the ladder's: samples lie anywhere in their pixels");
     check_settings("--set", options.settings), check_settings("--vary", options.varied),
         check_settings("--reference-set", options.reference_settings);
     const Rungs &rungs = options.rungs;
-    if (!std::is_sorted(rungs.samples.begin(), rungs.samples.end()) || !std::is_sorted(rungs.seconds.begin(), rungs.seconds.end()))
-        refuse(rungs.samples.empty() ? "--times" : "--samples", "must rise");
+    if (!rises(rungs.samples) || !rises(rungs.seconds)) refuse(rungs.samples.empty() ? "--times" : "--samples", "must rise");
     if (rungs.count() == 0) options.rungs.samples = {1, 2, 4, 8, 16, 32, 64};
     if (options.renders_reference() && rungs.samples.empty() && !options.reference_spp)
         refuse("--reference-spp", "needed for --reference auto with --times");
@@ -106,10 +111,11 @@ Reference rendered_reference(const Options &options, const Climbers &climbers, T
     return render_reference(climber, spp, teller);
 }
 
-Reference find_reference(const Options &options, const Climbers &climbers, Teller &teller) {
+/// `saved` gets the file to which it was written, if it was.
+Reference find_reference(const Options &options, const Climbers &climbers, Teller &teller, std::string &saved) {
     if (!options.renders_reference()) return read_reference(options.reference);
     Reference reference = rendered_reference(options, climbers, teller);
-    if (!options.saved_reference.empty()) write_reference(options.saved_reference, reference);
+    if (!options.saved_reference.empty()) write_reference(options.saved_reference, reference), saved = options.saved_reference;
     return reference;
 }
 
@@ -117,6 +123,14 @@ void check_size(const Reference &reference, const Window &window) {
     if (reference.picture.width != window.width() || reference.picture.height != window.height())
         throw SceneError(fmt::format("{}: has {} x {} pixels, not {} x {}", reference.name, reference.picture.width, reference.picture.height,
                                      window.width(), window.height()));
+}
+
+/// Every way must render the part of the picture that the reference, or else the first one, shows.
+void check_parts(const Climbers &climbers, const std::string &name, const Way &expected) {
+    const std::optional<std::string> part = part_of(expected);
+    for (const auto &climber : climbers)
+        if (const auto own = part_of(climber->way()); part && own != part)
+            throw SceneError(fmt::format("{}: shows pixels {}, but {} those {}", name, *part, climber->name(), *own));
 }
 
 /// Of series in the order of their climbers.
@@ -133,8 +147,8 @@ std::size_t count_runs(const std::vector<Series> &all) {
     return runs;
 }
 
-/// Whether all was measured that was asked for.
-bool run(Options &options) {
+/// Whether all was measured that was asked for. `saved` gets the file to which the reference was written, if it was.
+bool run(Options &options, std::string &saved) {
     check_options(options);
     const std::vector<Variant> ways = variants(options.varied);
     handle_interruptions();
@@ -146,8 +160,10 @@ bool run(Options &options) {
     check_files(options, scene);
     std::vector<ForeignSeries> foreign = read_foreign(options, ways, window);
     for (const auto &climber : climbers) climber->prepare();
+    check_parts(climbers, climbers.front()->name(), climbers.front()->way());
 
-    const Reference reference = find_reference(options, climbers, teller);
+    const Reference reference = find_reference(options, climbers, teller, saved);
+    if (reference.way) check_parts(climbers, reference.name, *reference.way);
     check_size(reference, window);
     for (const auto &climber : climbers) warm_up(*climber, teller);
     std::vector<Series> expected = series_of(climbers);
@@ -212,7 +228,7 @@ void add_converge(CLI::App &app, int &status) {
         ->delimiter(',')
         ->check(numbers([](double x) { return x > 0 && std::isfinite(x); }, "a finite number of seconds above 0", "SECONDS"))
         ->excludes(samples);
-    command->add_option("--seeds", options->seeds, "repetitions of each rung, with seeds of their own from --seed on, or 1")
+    command->add_option("--seeds", options->seeds, "repetitions of each rung, with seeds of their own from --seed on, or 1, the same for all series")
         ->check(whole_numbers(1u, 10000u))
         ->capture_default_str();
     command
@@ -226,10 +242,11 @@ void add_converge(CLI::App &app, int &status) {
     command->add_flag("--json", options->as_json, "print JSON");
     command->add_flag("--quiet", options->quiet, "no progress");
     command->callback([options, &status] {
+        std::string saved;
         try {
-            if (run(*options)) return;
+            if (run(*options, saved)) return;
         } catch (const Interrupted &) {
-            fmt::print(stderr, "interrupted: nothing was measured, and nothing is written\n");
+            fmt::print(stderr, "interrupted: nothing was measured{}\n", saved.empty() ? "" : "; the reference is written to " + saved);
         }
         status = interrupted_status;
     });

@@ -93,7 +93,41 @@ TEST(CliConverge, InterruptedBeforeTheFirstRunWritesNothing) {
     EXPECT_EQ(run.status, 130) << "signal " << run.signal << run.err;
     EXPECT_EQ(run.out, "");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"scene.json"});
-    EXPECT_NE(run.err.find("interrupted: nothing was measured, and nothing is written\n"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("interrupted: nothing was measured\n"), std::string::npos) << run.err;
+}
+
+/// A first rung of hours: the reference is written by then.
+TEST(CliConverge, InterruptedAfterTheReferenceNamesIt) {
+    const TemporaryFolder folder;
+    const std::string saved = folder.path("reference.exr");
+    const Finished run = interrupted_converge(folder, "rung 1 of 1, repetition 1 of 4: 0 %\n",
+                                              {"--samples", "16777216", "--reference-spp", "2", "--save-reference", saved, "--json"});
+    EXPECT_EQ(run.status, 130) << "signal " << run.signal << run.err;
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"reference.exr", "scene.json"}));
+    EXPECT_NE(run.err.find("interrupted: nothing was measured; the reference is written to " + saved + "\n"), std::string::npos) << run.err;
+}
+
+/// Parts of as many pixels: those of another place are refused, of another size of the whole too, and before anything is rendered where ways differ.
+TEST(CliConverge, RefusesAReferenceOfAnotherPart) {
+    const TemporaryFolder folder;
+    const std::string saved = folder.path("reference.exr");
+    const auto with = [&](const std::vector<std::string> &more) {
+        std::vector<std::string> arguments = {"--samples", "2", "--seeds", "1", "--json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return converge(folder, arguments);
+    };
+    expect_success(with({"--crop", "0,0,8,8", "--reference", "auto", "--save-reference", saved}));
+    expect_success(with({"--crop", "0,0,8,8", "--reference", saved}));
+    const Finished moved = with({"--crop", "8,8,16,16", "--reference", saved});
+    EXPECT_EQ(moved.status, 1);
+    EXPECT_EQ(moved.err, "brandung: " + saved + ": shows pixels 0,0,8,8 of 24 x 16, but brandung those 8,8,16,16 of 24 x 16\n");
+    const Finished smaller = run_program({"converge", folder.path("scene.json"), "--size", "8x8", "--quiet", "--reference", saved});
+    EXPECT_EQ(smaller.status, 1);
+    EXPECT_NE(smaller.err.find("0,0,8,8 of 24 x 16, but brandung those 0,0,8,8 of 8 x 8\n"), std::string::npos) << smaller.err;
+    const Finished varied = with({"--reference", "auto", "--vary", "film.crop=[0,0,8,8],[8,8,16,16]"});
+    EXPECT_EQ(varied.status, 1);
+    EXPECT_NE(varied.err.find("crop=[0,0,8,8]: shows pixels 0,0,8,8 of 24 x 16, but crop=[8,8,16,16] those 8,8,16,16"), std::string::npos)
+        << varied.err;
 }
 
 /// The pictures of another program are measured against the same reference: it is given here, and one of them is itself. They are listed from the
@@ -176,6 +210,7 @@ TEST(CliConverge, RefusesWhatItCannotDo) {
     };
     expect_usage({}, "--reference");
     expect_usage({"--reference", "auto", "--samples", "4,2"}, "--samples");
+    expect_usage({"--reference", "auto", "--samples", "4,4"}, "--samples: must rise");
     expect_usage({"--reference", "auto", "--samples", "4", "--times", "1"}, "--times");
     expect_usage({"--reference", "auto", "--times", "1"}, "--reference-spp");
     expect_usage({"--reference", "auto", "--vary", "nothing"}, "--vary");

@@ -27,7 +27,7 @@ private:
 struct Plan {
     Rungs rungs;
     uint repetitions;
-    uint first_seed;  ///< of its pictures, which all have their own
+    uint first_seed;  ///< of a ladder, whose pictures all have their own; each way has the same ones, so that what they differ by is no chance
 };
 
 /// So many samples of the climber's picture. Throws Interrupted.

@@ -67,6 +67,7 @@ void Climber::prepare() {
     job_.emplace(scene_, options_);
     way_.settings = settings_of(*job_);
     way_.settings["scene_hash"] = scene_fingerprint(*job_);
+    way_.transmits = job_->compiled.transmits;
 }
 
 Climber::Result Climber::render(uint samples, uint seed, const StopRules &stop, const std::function<bool(const RenderProgress &)> &observe) {

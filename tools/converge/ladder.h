@@ -25,7 +25,8 @@ struct Rungs {
     std::size_t count() const { return samples.empty() ? seconds.size() : samples.size(); }
 };
 
-/// The `index`-th seed from `first` on, passing over the one that is taken: no two pictures share random numbers.
+/// The `index`-th seed from `first` on, passing over the one that is taken: no two pictures of a ladder share random numbers, nor any with the
+/// reference. Every way has the same seed on the same rung and repetition (common random numbers).
 inline uint seed_at(uint first, uint index, std::optional<uint> taken) {
     const uint seed = first + index;
     return taken && index >= *taken - first ? seed + 1 : seed;

@@ -37,7 +37,7 @@ json fits_json(const Summary &summary) {
 }
 
 json targets_json(const Summary &summary) {
-    static constexpr const char *reached[] = {"before the first rung", "within the rungs", "not yet"};  // by Target::Reached
+    static constexpr const char *reached[] = {"before the first rung", "within the rungs", "not yet", "unknown"};  // by Target::Reached
     json all = json::object();
     for (const auto &[measure, targets] : summary.targets) {
         all[measure] = json::array();
@@ -62,6 +62,10 @@ std::string slope_text(const std::optional<Slope> &slope) {
     return slope ? fmt::format("{:.2f} ± {:.2f}", slope->slope, slope->standard_error) : "unknown (too few runs)";
 }
 
+std::string efficiency_text(const Summary &summary) {
+    return summary.efficiency ? fmt::format("{:.4g}", *summary.efficiency) : fmt::format("- ({})", summary.no_efficiency);
+}
+
 /// What the series depends on beyond its noise, null where another renderer has made it.
 json way_json(const Series &series) {
     if (!series.way) return nullptr;
@@ -69,7 +73,7 @@ json way_json(const Series &series) {
     for (const auto &[name, why] : series.way->biased_by) biases.push_back({{"name", name}, {"why", why}});
     for (const Departure &each : series.departures) departures.push_back({{"setting", each.setting}, {"own", each.own}, {"other", each.other}});
     json settings = series.way->settings;
-    for (const char *of_every_run : {"seed", "scene_hash"}) settings.erase(of_every_run);
+    for (const char *told_elsewhere : {"seed", "scene_hash"}) settings.erase(told_elsewhere);
     return {{"settings", settings}, {"scene_hash", series.way->settings.at("scene_hash")}, {"biased_by", biases}, {"departures", departures}};
 }
 
@@ -118,7 +122,8 @@ json convergence_json(const Convergence &convergence) {
                                  {"rungs", rungs_json(summary)},
                                  {"fits", fits_json(summary)},
                                  {"targets", targets_json(summary)},
-                                 {"efficiency", summary.efficiency},
+                                 {"efficiency", summary.efficiency ? json(*summary.efficiency) : json()},
+                                 {"no_efficiency", summary.efficiency ? json() : json(summary.no_efficiency)},
                                  {"runs", runs_json(convergence.series[i])}});
     }
     return all;
@@ -129,7 +134,7 @@ std::string convergence_csv(const Convergence &convergence) {
     for (std::size_t i = 0; i < convergence.series.size(); ++i) {
         const Series &series = convergence.series[i];
         for (const Run &run : series.runs) {
-            text += fmt::format("{},{},{},{:g},{:.6g}", csv_field(series.name), run.rung, run.seed, run.samples, run.seconds);
+            text += fmt::format("{},{},{},{},{:.6g}", csv_field(series.name), run.rung, run.seed, run.samples, run.seconds);
             for (const std::string &measure : followed_measures()) text += fmt::format(",{:.8g}", run.errors.at(measure));
             text += fmt::format(",{}\n", int{is_near_reference(convergence.summaries[i], run)});
         }
@@ -145,17 +150,17 @@ std::string convergence_text(const Convergence &convergence) {
     if (convergence.interrupted()) text += fmt::format("\ninterrupted: {} of {} runs", convergence.runs_done, convergence.runs_total);
     for (std::size_t i = 0; i < convergence.series.size(); ++i) {
         const Summary &summary = convergence.summaries[i];
-        text += fmt::format("\n\n{}\n   samples     seconds", convergence.series[i].name);
+        text += fmt::format("\n\n{}\n     samples     seconds", convergence.series[i].name);
         for (const std::string &measure : followed_measures()) text += fmt::format("{:>22}", measure);
         text += '\n';
         for (const Rung &rung : summary.rungs) {
-            text += rung.samples > 0 ? fmt::format("{:>10.6g}  {:>10.4g}", rung.samples, rung.seconds)
-                                     : fmt::format("{:>10}  {:>10.4g}", "-", rung.seconds);
+            text += rung.samples > 0 ? fmt::format("{:>12.10g}  {:>10.4g}", rung.samples, rung.seconds)
+                                     : fmt::format("{:>12}  {:>10.4g}", "-", rung.seconds);
             for (const std::string &measure : followed_measures()) text += right(error_text(rung.errors.at(measure), rung.runs), 22);
             text += rung.near_reference ? " *\n" : "\n";
         }
-        text += fmt::format("relmse falls with time to the power {}, with samples {}; efficiency 1/(mse s) {:.4g}",
-                            slope_text(summary.by_seconds.at("relmse")), slope_text(summary.by_samples.at("relmse")), summary.efficiency);
+        text += fmt::format("relmse falls with time to the power {}, with samples {}; efficiency 1/(mse s) {}",
+                            slope_text(summary.by_seconds.at("relmse")), slope_text(summary.by_samples.at("relmse")), efficiency_text(summary));
     }
     text += "\n\n± half of the interval of 95 % of a mean of repetitions; * near the reference's own noise\n";
     for (const std::string &warning : convergence.warnings) text += "warning: " + warning + "\n";

@@ -53,6 +53,7 @@ template <class X> std::optional<Slope> slope_of(const Series &series, const std
 
 /// The first time at which the means of the rungs are down to `error`.
 Target target_of(const std::vector<Rung> &rungs, const std::string &measure, double error) {
+    if (rungs.empty()) return {error, {}, Target::Reached::unknown};
     if (rungs.front().errors.at(measure).mean < error) return {error, {}, Target::Reached::before};
     for (std::size_t i = 1; i < rungs.size(); ++i) {
         const double before = rungs[i - 1].errors.at(measure).mean, after = rungs[i].errors.at(measure).mean;
@@ -67,6 +68,7 @@ Target target_of(const std::vector<Rung> &rungs, const std::string &measure, dou
 
 Summary summarize(const Series &series, const std::map<std::string, std::vector<double>> &targets, std::optional<double> reference_noise) {
     Summary summary{};
+    std::vector<Rung> clear;  // of the reference's noise
     std::set<std::size_t> left_out;
     for (const auto &[number, runs] : by_rung(series)) {
         Rung &rung = summary.rungs.emplace_back();
@@ -76,15 +78,22 @@ Summary summarize(const Series &series, const std::map<std::string, std::vector<
         for (const std::string &measure : followed_measures())
             rung.errors[measure] = mean_with_confidence(values_of(runs, [&](const Run &run) { return run.errors.at(measure); }));
         rung.near_reference = reference_noise && *reference_noise > largest_share * rung.errors.at("relmse").mean;
-        if (rung.near_reference) left_out.insert(number);
+        if (rung.near_reference)
+            left_out.insert(number);
+        else
+            clear.push_back(rung);
     }
     for (const std::string &measure : followed_measures()) {
         summary.by_seconds[measure] = slope_of(series, measure, left_out, [](const Run &run) { return run.seconds; });
         summary.by_samples[measure] = slope_of(series, measure, left_out, [](const Run &run) { return run.samples; });
-        for (const double error : targets.at(measure)) summary.targets[measure].push_back(target_of(summary.rungs, measure, error));
+        for (const double error : targets.at(measure)) summary.targets[measure].push_back(target_of(clear, measure, error));
     }
-    const Rung &last = summary.rungs.back();
-    summary.efficiency = 1 / (last.errors.at("mse").mean * last.seconds);
+    if (clear.empty())
+        summary.no_efficiency = "every rung is near the reference's noise";
+    else if (const Rung &last = clear.back(); last.errors.at("mse").mean > 0)
+        summary.efficiency = 1 / (last.errors.at("mse").mean * last.seconds);
+    else
+        summary.no_efficiency = "without error";
     return summary;
 }
 

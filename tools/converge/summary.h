@@ -1,6 +1,7 @@
 /// What follows from a series: means with their confidence, how fast errors fall, and what that is worth.
 #pragma once
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "tools/converge/series.h"
@@ -24,9 +25,10 @@ struct Slope {
     double slope, standard_error, x, y;
 };
 
-/// An error, and the seconds that it takes to get there: between rungs by a straight line in logarithms; nothing outside of what was rendered.
+/// An error, and the seconds that it takes to get there: between rungs by a straight line in logarithms; nothing outside of what was rendered. Rungs
+/// near the reference do not count.
 struct Target {
-    enum class Reached { before, within, not_yet };  ///< the first rung; the rungs; by the last rung
+    enum class Reached { before, within, not_yet, unknown };  ///< the first rung; the rungs; by the last rung; there is none that counts
     double error;
     std::optional<double> seconds;
     Reached reached;
@@ -36,7 +38,9 @@ struct Summary {
     std::vector<Rung> rungs;
     std::map<std::string, std::optional<Slope>> by_seconds, by_samples;  ///< nothing of fewer than three such runs, or of one rung
     std::map<std::string, std::vector<Target>> targets;
-    double efficiency;  ///< 1 / (MSE × seconds) of the last rung: of independent samples the same whatever their number
+    std::optional<double>
+        efficiency;             ///< 1 / (MSE × seconds) of the last rung that is not near the reference: of independent samples always the same
+    std::string no_efficiency;  ///< why there is none
 };
 
 /// `targets`: errors to reach, by measure. `reference_noise`: relMSE of the reference, where it is known.

@@ -19,11 +19,11 @@ std::string departures_text(const std::vector<Departure> &departures) {
 std::string near_reference(const std::string &name, const Summary &summary, double noise) {
     std::vector<std::string> samples;
     for (const Rung &rung : summary.rungs)
-        if (rung.near_reference) samples.push_back(rung.samples > 0 ? fmt::format("{:g}", rung.samples) : fmt::format("{:.3g} s", rung.seconds));
+        if (rung.near_reference) samples.push_back(rung.samples > 0 ? fmt::format("{:.10g}", rung.samples) : fmt::format("{:.3g} s", rung.seconds));
     if (samples.empty()) return "";
     return fmt::format(
-        "{}: the reference's own noise, {:.3g}, is more than a tenth of the relMSE of {} samples: these errors are too great, and no "
-        "slope is fitted to them",
+        "{}: the reference's own noise, {:.3g}, is more than a tenth of the relMSE of {} samples: these errors are too great, and "
+        "neither slope, times nor efficiency are taken from them",
         name, noise, fmt::join(samples, ", "));
 }
 

@@ -14,6 +14,7 @@ bool either(const Way &a, const Way &b, const std::string &bias) { return a.bias
 bool counts(const std::string &setting, const Way &a, const Way &b) {
     if (setting == "max_depth") return either(a, b, "depth limit");
     if (setting == "follow") return either(a, b, "adaptive depth");  // which child a weight ends is another question then
+    if (setting == "shadows") return a.transmits && b.transmits;
     if (setting == "light_samples") return value_of(a, setting) == "0" || value_of(b, setting) == "0";
     return true;
 }
@@ -28,6 +29,11 @@ std::vector<Departure> departures(const Way &way, const Way &other) {
         if (own != others && counts(setting, way, other)) all.push_back({setting, own, others});
     }
     return all;
+}
+
+std::optional<std::string> part_of(const Way &way) {
+    if (!way.settings.contains("crop")) return std::nullopt;
+    return value_of(way, "crop") + " of " + value_of(way, "width") + " x " + value_of(way, "height");
 }
 
 }  // namespace brandung

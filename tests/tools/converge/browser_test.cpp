@@ -72,8 +72,8 @@ TEST(ConvergencePage, DrawsEverySeriesInABrowser) {
           "<tr><td>sampler</td><td>first &lt;b&gt;: first &lt;b&gt;; second: second</td></tr>",
           "<td>second is biased by</td><td>depth limit: ended 7 rays</td>"})
         EXPECT_NE(page.find(row), std::string::npos) << row;
-    // 0.14 / n is 0.1 after 1.4 samples, 0.03 after 4.67.
-    EXPECT_NE(page.find("<tr><td>first &lt;b&gt;</td><td>1.4</td><td>4.67</td></tr>"), std::string::npos)
+    // 0.14 / n is 0.1 after 1.4 samples, 0.03 after 4.67, beyond the third rung, the last that is not near the reference's noise.
+    EXPECT_NE(page.find("<tr><td>first &lt;b&gt;</td><td>1.4</td><td>&gt; 4</td></tr>"), std::string::npos)
         << page.substr(page.find("id=\"targets\""), 500);
     for (const char *fault : {"NaN", "undefined", "Infinity", "[object"}) {
         const std::string body = page.substr(page.find("<svg"));

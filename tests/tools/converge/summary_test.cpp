@@ -32,7 +32,7 @@ TEST(ConvergenceSummary, SlopesAreThoseOfPowers) {
     EXPECT_NEAR(slow.by_samples.at("relmse")->slope, -1, 1e-12);
     EXPECT_NEAR(slow.by_samples.at("relmse")->standard_error, 0, 1e-7);
     EXPECT_NEAR(fast.by_seconds.at("mse")->slope, -2, 1e-12);
-    EXPECT_NEAR(slow.efficiency, 10, 1e-9) << "1 / (0.1 / n * n)";
+    EXPECT_NEAR(slow.efficiency.value(), 10, 1e-9) << "1 / (0.1 / n * n)";
     EXPECT_FALSE(summarize(series_of(inverse, 1, {1, 2, 3}), round_targets({})).by_samples.at("mse")) << "a rung has no slope";
 }
 
@@ -70,8 +70,8 @@ TEST(ConvergenceSummary, TimesToErrorsLieBetweenRungs) {
     EXPECT_EQ(summary.targets.at("mse")[2].reached, Target::Reached::not_yet);
 }
 
-/// Errors 0.1, 0.05, ... 0.1 / 16, and 0.001 of noise in the reference, which a tenth of the last two is less than. The fourth is made twice what it
-/// should be: no slope must see it.
+/// Errors 0.1, 0.05, ... 0.1 / 16, and 0.001 of noise in the reference, which a tenth of only the last is less than: 0.1 * 0.1 / 8 = 0.00125 > 0.001
+/// > 0.000625 = 0.1 * 0.1 / 16. MSE of the last is made twice what it should be: no slope must see it.
 TEST(ConvergenceSummary, RungsNearTheReferencesNoiseAreMarkedAndNotFitted) {
     Series series = series_of(inverse, 5);
     series.runs.back().errors["mse"] *= 2;
@@ -86,6 +86,24 @@ TEST(ConvergenceSummary, RungsNearTheReferencesNoiseAreMarkedAndNotFitted) {
     EXPECT_GT(unknown.by_samples.at("mse")->slope, -0.9);
     EXPECT_NEAR(summary.by_samples.at("mse")->x, std::pow(2, 1.5), 1e-12) << "the geometric mean of 1, 2, 4, 8";
     EXPECT_NEAR(summary.by_samples.at("mse")->y, 0.1 / std::pow(2, 1.5), 1e-12);
+}
+
+/// The same noise; the last of 5 rungs, of 0.1 / 16, is near it, and its MSE ten times smaller than it should be. What is 0.1 / n has efficiency 10.
+/// 0.007 was reached after 100 / 7 samples, beyond the 8 of the last rung that counts, and 1 before the first.
+TEST(ConvergenceSummary, RungsNearTheReferencesNoiseCountForNoTimeNorEfficiency) {
+    Series series = series_of(inverse, 5);
+    series.runs.back().errors["mse"] /= 10;
+    const std::map<std::string, std::vector<double>> targets = {{"mse", {0.03, 0.007, 1.0}}, {"relmse", {}}, {"mape", {}}, {"flip", {}}};
+    const Summary summary = summarize(series, targets, 0.001);
+    EXPECT_NEAR(summary.efficiency.value(), 10, 1e-9);
+    EXPECT_NEAR(summary.targets.at("mse")[0].seconds.value(), 10.0 / 3, 1e-9);
+    EXPECT_EQ(summary.targets.at("mse")[1].reached, Target::Reached::not_yet);
+    const Summary noisy = summarize(series, targets, 1.0), exact = summarize(series_of([](double) { return 0.0; }, 2), targets);
+    EXPECT_FALSE(noisy.efficiency) << "every rung is near";
+    EXPECT_EQ(noisy.no_efficiency, "every rung is near the reference's noise");
+    for (const Target &target : noisy.targets.at("mse")) EXPECT_EQ(target.reached, Target::Reached::unknown);
+    EXPECT_FALSE(exact.efficiency) << "nor is it infinite";
+    EXPECT_EQ(exact.no_efficiency, "without error");
 }
 
 /// Seeds from 24300 on meet the reference's, 24301, and those from 2^32 - 1 on go round.
@@ -114,15 +132,20 @@ TEST(ConvergenceWays, DepartWhereSettingsChangeWhatTheyConvergeTo) {
     EXPECT_EQ(departing("threshold", "0.1"), 1u);
     EXPECT_EQ(departing("filter", "tent"), 1u);
     EXPECT_EQ(departing("scene_hash", "2"), 1u) << "a material, say";
+    EXPECT_EQ(departing("shadows", "filtered"), 1u);
+    Way opaque = way;
+    opaque.transmits = false, opaque.settings["shadows"] = "filtered";
+    EXPECT_TRUE(departures(opaque, way).empty()) << "nothing is transparent";
 }
 
-/// A name with everything that means something in CSV (RFC 4180).
-TEST(ConvergenceReport, NamesAreQuotedInCsv) {
+/// A name with everything that means something in CSV (RFC 4180), and samples of eight digits.
+TEST(ConvergenceReport, CsvQuotesNamesAndKeepsSamples) {
     Convergence convergence{.subject = {}, .series = {series_of(inverse, 1)}, .summaries = {}};
     convergence.series[0].name = "a \"b\", c";
+    convergence.series[0].runs[0].samples = 16777215;
     convergence.summaries = {summarize(convergence.series[0], round_targets({}))};
     EXPECT_EQ(convergence_csv(convergence),
-              "series,rung,seed,samples,seconds,mse,relmse,mape,flip,near_reference_noise\n\"a \"\"b\"\", c\",0,0,1,1,0.1,0.1,0.1,0.1,0\n");
+              "series,rung,seed,samples,seconds,mse,relmse,mape,flip,near_reference_noise\n\"a \"\"b\"\", c\",0,0,16777215,1,0.1,0.1,0.1,0.1,0\n");
 }
 
 TEST(ConvergenceVariants, AreAllCombinations) {
