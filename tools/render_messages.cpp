@@ -51,9 +51,8 @@ void print_plan(const Job &job, const StopRules &stop) {
                mebibytes(job.film_bytes()), mebibytes(job.renderer.wave_bytes()));
 }
 
-namespace {
-
-void print_estimate(const Job &job, const RenderEnd &end, const std::string &prefix) {
+void print_noise(const Job &job, const RenderEnd &end, const std::string &prefix) {
+    if (!end.noise) return;
     const double spp = static_cast<double>(end.samples_done) / static_cast<double>(job.film.window().pixels());
     std::string text = fmt::format("{}noise: relMSE {:.3g}, with a confidence of 95 % from {:.3g} to {:.3g}, after {:.4g} spp", prefix,
                                    end.noise->relmse, end.noise->low, end.noise->high, spp);
@@ -62,13 +61,14 @@ void print_estimate(const Job &job, const RenderEnd &end, const std::string &pre
     fmt::print(stderr, "{}\n", text);
 }
 
-}  // namespace
-
-void print_noise(const Job &job, const RenderEnd &end, const StopRules &stop, const std::string &prefix) {
-    if (end.noise) print_estimate(job, end, prefix);
-    if (stop.error && end.complete() && end.stopped_by != StoppedBy::error)
-        fmt::print(stderr, "warning: {}the noise is not below {:g}: {} came first\n", prefix, *stop.error,
-                   end.stopped_by == StoppedBy::time ? fmt::format("{:g} s", *stop.seconds) : fmt::format("{} spp", end.spp));
+void print_missed_error(const RenderEnd &end, const StopRules &stop, const std::string &prefix) {
+    if (!stop.error || !end.complete() || end.stopped_by == StoppedBy::error) return;
+    const std::string limit = end.stopped_by == StoppedBy::time ? fmt::format("{:g} s", *stop.seconds) : fmt::format("{} spp", end.spp);
+    if (end.noise)
+        fmt::print(stderr, "warning: {}the noise is not below {:g}: {} came first\n", prefix, *stop.error, limit);
+    else
+        fmt::print(stderr, "warning: {}whether the noise is below {:g} is not known: {} came first, and it takes two samples of every pixel\n",
+                   prefix, *stop.error, limit);
 }
 
 void print_losses(const Job &job) {

@@ -12,8 +12,10 @@ void check_memory(const Job &job);
 void print_warnings(const RenderCommandOptions &options, const Job &job);
 /// What was chosen where the scene says nothing, and what the render will take.
 void print_plan(const Job &job, const StopRules &stop);
-/// How much noise the picture has, what makes it wrong beyond that, and whether the noise is below what the rules want; `prefix`: which picture.
-void print_noise(const Job &job, const RenderEnd &end, const StopRules &stop, const std::string &prefix);
+/// How much noise the picture has, if that is known, and what makes it wrong beyond that; `prefix`: which picture.
+void print_noise(const Job &job, const RenderEnd &end, const std::string &prefix);
+/// That the noise is not below what the rules want, if so.
+void print_missed_error(const RenderEnd &end, const StopRules &stop, const std::string &prefix);
 /// What the picture has lost.
 void print_losses(const Job &job);
 /// Viewers that have gone away since the last time.

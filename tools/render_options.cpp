@@ -36,7 +36,7 @@ void add_render_options(CLI::App &command, RenderCommandOptions &options) {
                        "write a timeline to this JSON file, for ui.perfetto.dev or chrome://tracing: launches and builds of kernels, rays that wait, "
                        "rays per second; written as the render goes, some 100 bytes for each launch, to a file NAME.*.part.json until it ends");
     command.add_flag("--explain", options.explain, "print what the scene needs and what was skipped");
-    command.add_flag("--quiet", options.quiet, "no progress");
+    command.add_flag("--quiet", options.quiet, "no progress, only warnings");
     command.option_defaults()->group("Preview");
     command
         .add_option("--preview", options.previews,

@@ -105,7 +105,9 @@ std::pair<RenderEnd, float> render_pictures(const RenderCommandOptions &options,
         sequence.end_picture(end);
         progress.clear();
         exposure = timed(write_seconds, [&] { return write_outputs(outputs, job, seconds, end, false); });
-        if (!options.quiet) print_noise(job, end, options.stop, options.pictures() > 1 ? outputs.files.front() + ": " : "");
+        const std::string prefix = options.pictures() > 1 ? outputs.files.front() + ": " : "";
+        if (!options.quiet) print_noise(job, end, prefix);
+        print_missed_error(end, options.stop, prefix);
         all = joined(all, end, options.pictures() - picture);
     }
     seconds.write = write_seconds;
