@@ -20,14 +20,15 @@ bool is_of_primitives(const std::string &name) {
     return std::any_of(oracles.begin(), oracles.end(), [&](const PrimitiveOracle *oracle) { return oracle->kind().name == name; });
 }
 
-/// Most inputs must say something: they meet what they are aimed at, and rounding cannot turn that; most of all crossings, whose bounds on t must not
-/// be ten times what happens either.
+/// Most inputs must say something: they meet what they are aimed at, rounding cannot turn that, and what is measured has bounds; most of all
+/// crossings, whose bounds on t must not be ten times what happens either.
 TEST_P(Subjects, Pass) {
     Findings findings = GetParam().make(test_device())->examine(0);
     EXPECT_TRUE(findings.passed()) << findings.fault;
     EXPECT_GE(findings.inputs, 1u << 16);
     EXPECT_GT(findings.hits, findings.inputs * 2 / 5);
     EXPECT_LT(findings.ambiguous, findings.inputs / 3);
+    for (const Errors &errors : findings.errors) EXPECT_LE(errors.unknown, (errors.count + errors.unknown) / 5);
     if (!is_of_primitives(GetParam().name)) return;
     EXPECT_LT(findings.ambiguous, findings.inputs / 4);
     EXPECT_GT(findings.of(Quantity::t).max_of_bound, 0.1);
