@@ -30,7 +30,7 @@ constexpr uint reference_factor = 16;  ///< samples of an automatic reference ov
 
 struct Options : SceneOptions {
     std::string reference, saved_reference, html, csv;
-    std::vector<std::string> varied, foreign, reference_settings;
+    std::vector<std::string> variations, foreign, reference_settings;
     Rungs rungs;
     uint seeds = 4;
     std::optional<uint> reference_spp;
@@ -57,7 +57,7 @@ template <class Value> bool rises(const std::vector<Value> &values) {
 void check_options(Options &options) {
     if (options.spp) refuse("--spp", "is the ladder's: --samples says how many");
     if (!options.pixel.empty()) refuse("--pixel", "is the ladder's: samples lie anywhere in their pixels");
-    check_settings("--set", options.settings), check_settings("--vary", options.varied),
+    check_settings("--set", options.settings), check_settings("--vary", options.variations),
         check_settings("--reference-set", options.reference_settings);
     const Rungs &rungs = options.rungs;
     if (!rises(rungs.samples) || !rises(rungs.seconds)) refuse(rungs.samples.empty() ? "--times" : "--samples", "must rise");
@@ -150,7 +150,7 @@ std::size_t count_runs(const std::vector<Series> &all) {
 /// Whether all was measured that was asked for. `saved` gets the file to which the reference was written, if it was.
 bool run(Options &options, std::string &saved) {
     check_options(options);
-    const std::vector<Variant> ways = variants(options.varied);
+    const std::vector<Variant> ways = variants(options.variations);
     handle_interruptions();
     Teller teller(options.quiet);
     Climbers climbers;
@@ -165,6 +165,8 @@ bool run(Options &options, std::string &saved) {
     const Reference reference = find_reference(options, climbers, teller, saved);
     if (reference.way) check_parts(climbers, reference.name, *reference.way);
     check_size(reference, window);
+    const std::optional<std::string> cut = warning_of_cut(reference);
+    if (cut) teller.warn(*cut);
     for (const auto &climber : climbers) warm_up(*climber, teller);
     std::vector<Series> expected = series_of(climbers);
     add_ways(climbers, reference, expected);
@@ -184,6 +186,7 @@ bool run(Options &options, std::string &saved) {
     const auto targets = round_targets(convergence.series);
     for (const Series &series : convergence.series) convergence.summaries.push_back(summarize(series, targets, reference.noise));
     convergence.warnings = warnings_of_departures(convergence.series, reference);
+    if (cut) convergence.warnings.push_back(*cut);
     for (const std::string &warning : warnings_of_noise(convergence.series, convergence.summaries, reference)) {
         teller.warn(warning);
         convergence.warnings.push_back(warning);
@@ -217,8 +220,9 @@ void add_converge(CLI::App &app, int &status) {
                         "write --reference auto as an EXR, which --reference takes again, with what it was made from");
     command
         ->add_option(
-            "--vary", options->varied,
-            "KEY=VALUE,VALUE,...: a series for every value of a setting of the scene file, as in --set; several options: for every combination")
+            "--vary", options->variations,
+            "KEY=VALUE,VALUE,...: a series for every value of a setting of the scene file, as in --set, whatever other options say of it; several "
+            "options: for every combination")
         ->expected(1)
         ->take_all();
     CLI::Option *samples = command->add_option("--samples", options->rungs.samples, "samples per pixel of the rungs (default: 1,2,4,8,16,32,64)")

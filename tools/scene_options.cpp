@@ -57,7 +57,7 @@ nlohmann::json background_value(const std::string &text) {
     return {{"image", std::filesystem::absolute(text).string()}};
 }
 
-/// The options that stand for settings of the scene file, after those that are given as such.
+/// The options that stand for settings of the scene file, after those that are given as such, and before those that are varied.
 std::vector<std::string> assignments(const SceneOptions &options) {
     std::vector<std::string> all = options.settings;
     const auto add = [&](const char *key, const std::string &value) { all.push_back(std::string(key) + "=" + value); };
@@ -83,6 +83,7 @@ std::vector<std::string> assignments(const SceneOptions &options) {
     if (!options.accelerator.empty()) add("accelerator", options.accelerator);
     if (!options.background.empty())
         add("background", background_value(options.background).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    all.insert(all.end(), options.varied.begin(), options.varied.end());
     return all;
 }
 

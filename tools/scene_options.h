@@ -18,6 +18,7 @@ struct SceneOptions {
     std::string from, at, up;           ///< "X,Y,Z", or empty for the camera's own
     std::optional<float> fov;           ///< [degrees]
     std::vector<std::string> settings;  ///< "KEY=VALUE"
+    std::vector<std::string> varied;    ///< the same, which count where other options say something else; no option
     std::optional<uint> spp, seed, max_depth, light_samples;
     uint batch = 32768, threads = 0;
     bool untrusted_device = false;  ///< take one that is known to have failed the self-test

@@ -201,6 +201,28 @@ TEST(CliConverge, WarnsOfANoisyReference) {
     EXPECT_EQ(result.at("warnings").size(), 1u);
 }
 
+TEST(CliConverge, WhatVariesCountsMoreThanOtherOptions) {
+    const TemporaryFolder folder;
+    const Finished run = converge(folder, {"--reference", "auto", "--samples", "4", "--seeds", "1", "--sampler", "sobol", "--vary",
+                                           "film.sampler=sobol,independent", "--json"});
+    expect_success(run);
+    const json series = json::parse(run.out).at("series");
+    EXPECT_NE(series[0].at("rungs")[0].at("errors"), series[1].at("rungs")[0].at("errors"));
+}
+
+/// A lamp of radiance 4 is cut in a picture of integers.
+TEST(CliConverge, WarnsOfAReferenceThatIsCut) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("lamp.nff", nff_scene("s 0 0 0 1\n"));
+    render_quietly({scene, "--size", "24x16", "--background", "4,4,4", "-o", folder.path("cut.png"), "-o", folder.path("whole.exr")});
+    const auto err_with = [&](const std::string &reference) {
+        return run_program({"converge", scene, "--size", "24x16", "--background", "4,4,4", "--quiet", "--samples", "1", "--reference", reference})
+            .err;
+    };
+    EXPECT_NE(err_with(folder.path("cut.png")).find("cut.png: nothing in this reference is brighter than 1, and "), std::string::npos);
+    EXPECT_EQ(err_with(folder.path("whole.exr")).find("brighter"), std::string::npos);
+}
+
 TEST(CliConverge, RefusesWhatItCannotDo) {
     const TemporaryFolder folder;
     const auto expect_usage = [&](const std::vector<std::string> &more, const std::string &what) {
@@ -228,4 +250,7 @@ TEST(CliConverge, RefusesWhatItCannotDo) {
     const Finished png = converge(folder, {"--reference", "auto", "--save-reference", folder.path("a.png")});
     EXPECT_EQ(png.err, "brandung: " + folder.path("a.png") + ": must be an EXR, which keeps floats and what the reference was made from\n");
     EXPECT_NE(missing.err.find("times.json"), std::string::npos) << missing.err;
+    const Finished twice = converge(folder, {"--reference", "auto", "--vary", "film.sampler=sobol", "--vary", "film.sampler=independent"});
+    EXPECT_EQ(twice.status, 2);
+    EXPECT_NE(twice.err.find("--vary: film.sampler is varied twice"), std::string::npos) << twice.err;
 }

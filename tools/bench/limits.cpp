@@ -3,7 +3,8 @@
 #include <vector>
 
 #include "runtime/opencl/kernel.h"
-#include "tools/bench/measure.h"
+#include "tools/job.h"
+#include "tools/median.h"
 
 namespace brandung {
 namespace {

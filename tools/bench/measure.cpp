@@ -50,10 +50,4 @@ Measurements measure(Job &job, uint runs, const std::function<void(uint run)> &t
     return all;
 }
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
-
 }  // namespace brandung

@@ -32,6 +32,4 @@ struct Measurements {
 /// by false: a run that it breaks does not count.
 Measurements measure(Job &job, uint runs, const std::function<void(uint run)> &tell, const std::function<bool()> &goes_on);
 
-double median(std::vector<double> values);
-
 }  // namespace brandung

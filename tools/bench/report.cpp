@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "tools/median.h"
 #include "tools/provenance.h"
 #include "tools/report.h"
 

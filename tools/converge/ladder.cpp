@@ -33,8 +33,8 @@ std::string short_key(const std::string &key, const std::vector<std::string> &va
 }
 
 Scene read_variant(SceneOptions &options, const Variant &variant) {
-    options.settings.insert(options.settings.end(), variant.settings.begin(), variant.settings.end());
-    options.settings.push_back("film.pixel=random");
+    options.varied = variant.settings;
+    options.varied.push_back("film.pixel=random");
     return read_scene(options);
 }
 
@@ -46,6 +46,8 @@ std::vector<Variant> variants(const std::vector<std::string> &varied) {
         const auto equals = text.find('=');
         if (equals == std::string::npos || equals == 0) throw CLI::ValidationError("--vary", "expected KEY=VALUE,VALUE,..., got '" + text + "'");
         const std::string key = text.substr(0, equals);
+        if (std::count_if(varied.begin(), varied.end(), [&](const std::string &other) { return other.starts_with(key + "="); }) > 1)
+            throw CLI::ValidationError("--vary", key + " is varied twice");
         std::vector<Variant> more;
         for (const Variant &variant : all)
             for (const std::string &value : split(text.substr(equals + 1))) {

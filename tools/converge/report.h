@@ -27,6 +27,8 @@ struct Convergence {
 
 /// Which series converge to something else than the reference.
 std::vector<std::string> warnings_of_departures(const std::vector<Series> &series, const Reference &reference);
+/// If the reference seems to have been cut at 1, as pictures of integers are.
+std::optional<std::string> warning_of_cut(const Reference &reference);
 /// Which rungs come near the reference's own noise, or that it is not known.
 std::vector<std::string> warnings_of_noise(const std::vector<Series> &series, const std::vector<Summary> &summaries, const Reference &reference);
 /// Names are a promise.

@@ -4,7 +4,8 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
-#include <set>
+
+#include "tools/median.h"
 
 namespace brandung {
 namespace {
@@ -35,12 +36,13 @@ template <class Value> std::vector<double> values_of(const std::vector<const Run
 
 constexpr double largest_share = 0.1;  ///< of a rung's relMSE that a good reference's noise has
 
-/// Runs without error, or that took no time, have no logarithm; those of rungs that are left out do not count.
-template <class X> std::optional<Slope> slope_of(const Series &series, const std::string &measure, const std::set<std::size_t> &left_out, X x_of) {
+/// Runs without error, or whose rung has no samples or seconds, have no logarithm; rungs near the reference do not count.
+std::optional<Slope> slope_of(const Series &series, const std::vector<Rung> &rungs, const std::string &measure, double Rung::*x_of) {
     std::vector<double> x, y;
-    for (const Run &run : series.runs)
-        if (!left_out.contains(run.rung) && run.errors.at(measure) > 0 && x_of(run) > 0)
-            x.push_back(std::log(x_of(run))), y.push_back(std::log(run.errors.at(measure)));
+    for (const Rung &rung : rungs)
+        for (const Run &run : series.runs)
+            if (run.rung == rung.number && !rung.near_reference && run.errors.at(measure) > 0 && rung.*x_of > 0)
+                x.push_back(std::log(rung.*x_of)), y.push_back(std::log(run.errors.at(measure)));
     if (x.size() < 3) return std::nullopt;
     const double x_mean = mean_of(x), y_mean = mean_of(y);
     double xx = 0, xy = 0, residuals = 0;
@@ -69,23 +71,19 @@ Target target_of(const std::vector<Rung> &rungs, const std::string &measure, dou
 Summary summarize(const Series &series, const std::map<std::string, std::vector<double>> &targets, std::optional<double> reference_noise) {
     Summary summary{};
     std::vector<Rung> clear;  // of the reference's noise
-    std::set<std::size_t> left_out;
     for (const auto &[number, runs] : by_rung(series)) {
         Rung &rung = summary.rungs.emplace_back();
         rung.number = number, rung.runs = runs.size();
         rung.samples = mean_of(values_of(runs, [](const Run &run) { return run.samples; }));
-        rung.seconds = mean_of(values_of(runs, [](const Run &run) { return run.seconds; }));
+        rung.seconds = median(values_of(runs, [](const Run &run) { return run.seconds; }));
         for (const std::string &measure : followed_measures())
             rung.errors[measure] = mean_with_confidence(values_of(runs, [&](const Run &run) { return run.errors.at(measure); }));
         rung.near_reference = reference_noise && *reference_noise > largest_share * rung.errors.at("relmse").mean;
-        if (rung.near_reference)
-            left_out.insert(number);
-        else
-            clear.push_back(rung);
+        if (!rung.near_reference) clear.push_back(rung);
     }
     for (const std::string &measure : followed_measures()) {
-        summary.by_seconds[measure] = slope_of(series, measure, left_out, [](const Run &run) { return run.seconds; });
-        summary.by_samples[measure] = slope_of(series, measure, left_out, [](const Run &run) { return run.samples; });
+        summary.by_seconds[measure] = slope_of(series, summary.rungs, measure, &Rung::seconds);
+        summary.by_samples[measure] = slope_of(series, summary.rungs, measure, &Rung::samples);
         for (const double error : targets.at(measure)) summary.targets[measure].push_back(target_of(clear, measure, error));
     }
     if (clear.empty())

@@ -15,12 +15,13 @@ struct RungMean {
 struct Rung {
     std::size_t number;  ///< as Run::rung
     std::size_t runs;
-    double samples, seconds;  ///< means
+    double samples, seconds;  ///< mean, and median: other work on the machine makes times longer
     std::map<std::string, RungMean> errors;
     bool near_reference = false;  ///< whether the reference's own noise is more than a tenth of its relMSE
 };
 
-/// error ~ x^slope, fitted by least squares to the logarithms of all runs but those of rungs near the reference; the line goes through (x, y).
+/// error ~ x^slope, fitted by least squares to the logarithms of all runs but those of rungs near the reference, x being their rung's; the line goes
+/// through (x, y).
 struct Slope {
     double slope, standard_error, x, y;
 };

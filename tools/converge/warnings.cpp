@@ -39,6 +39,20 @@ std::vector<std::string> warnings_of_departures(const std::vector<Series> &serie
     return warnings;
 }
 
+std::optional<std::string> warning_of_cut(const Reference &reference) {
+    std::size_t ones = 0;
+    for (const vec3 &pixel : reference.picture.pixels)
+        for (int c = 0; c < 3; ++c) {
+            if (pixel[c] > 1) return std::nullopt;
+            ones += pixel[c] == 1;
+        }
+    if (ones == 0) return std::nullopt;
+    return fmt::format(
+        "{}: nothing in this reference is brighter than 1, and {:.2g} % of its values are 1: if it was cut there, as pictures of integers "
+        "are, errors are that difference too",
+        reference.name, 100.0 * static_cast<double>(ones) / static_cast<double>(3 * reference.picture.pixels.size()));
+}
+
 std::vector<std::string> warnings_of_noise(const std::vector<Series> &series, const std::vector<Summary> &summaries, const Reference &reference) {
     if (!reference.noise) return {reference.name + ": nothing is known of this reference's own noise, which limits the smallest errors"};
     std::vector<std::string> warnings;

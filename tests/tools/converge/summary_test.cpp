@@ -44,6 +44,16 @@ TEST(ConvergenceSummary, TheErrorOfASlopeFollowsFromItsResiduals) {
     EXPECT_NEAR(summary.by_samples.at("mse")->standard_error, std::sqrt(2.0), 1e-12);
 }
 
+/// One of three runs took a hundred times as long.
+TEST(ConvergenceSummary, TimesAreMedians) {
+    Series series = series_of(inverse, 5, {1, 1, 1});
+    for (std::size_t i = 1; i < series.runs.size(); i += 3) series.runs[i].seconds *= 100;
+    const Summary summary = summarize(series, round_targets({}));
+    EXPECT_EQ(summary.rungs.at(2).seconds, 4);
+    EXPECT_NEAR(summary.by_seconds.at("mse")->slope, -1, 1e-12);
+    EXPECT_NEAR(summary.efficiency.value(), 10, 1e-9);
+}
+
 /// Student's t of two degrees of freedom has its 97.5 % at 4.30265; the mean of 1, 2, 3 has standard error 1 / sqrt 3.
 TEST(ConvergenceSummary, MeansHaveIntervalsByStudentsT) {
     const Summary summary = summarize(series_of([](double) { return 1.0; }, 1, {1, 2, 3}), round_targets({}));
