@@ -1,9 +1,9 @@
 #include "runtime/renderer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "runtime/opencl/seconds_now.h"
 #include "runtime/wavefront/work.h"
 #include "scene/error.h"
 #include "scene/formats/limits.h"
@@ -55,12 +55,12 @@ public:
     }
 
     /// Since the render began.
-    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+    double seconds() const { return seconds_now() - start_; }
 
 private:
     const std::vector<Observer> &observers_;
     std::vector<double> told_;  ///< when the calls ended
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double start_ = seconds_now();
 };
 
 /// The noise of a film now and then: it may take a hundredth of the time, unless somebody cannot do without.
@@ -71,9 +71,9 @@ public:
     /// As known so many seconds after the beginning.
     const std::optional<Noise> &after_pass(double seconds) {
         if (!always_ && seconds < next_) return noise_;
-        const auto start = std::chrono::steady_clock::now();
+        const double start = seconds_now();
         noise_ = film_.noise();
-        const double cost = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const double cost = seconds_now() - start;
         next_ = seconds + std::max(1.0, 100 * cost);
         return noise_;
     }

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <chrono>
 #include <cstring>
 
 #include "runtime/selftest/trust.h"
@@ -29,8 +28,6 @@ Device select_device(const SceneOptions &options, JobWatch &watch) {
 }
 
 }  // namespace
-
-double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 Job::Job(const Scene &scene, const SceneOptions &options, JobWatch watch, const StopRules &stop)
     : scene(scene),

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "runtime/opencl/seconds_now.h"
 #include "runtime/renderer.h"
 #include "tools/scene_options.h"
 
@@ -19,9 +20,6 @@ struct PhaseSeconds {
     double render = 0;
     std::optional<double> write, total;
 };
-
-/// Seconds of a steady clock from some time on.
-double seconds_now();
 
 /// Runs a phase, adds the time it took to `seconds` and gives its result.
 template <class Phase> auto timed(double &seconds, Phase phase) {

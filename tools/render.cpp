@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "runtime/opencl/seconds_now.h"
 #include "scene/error.h"
 #include "scene/image.h"
 #include "scene/output.h"

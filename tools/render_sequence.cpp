@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "runtime/opencl/seconds_now.h"
 #include "scene/error.h"
 #include "tools/interruption.h"
 #include "tools/render_messages.h"

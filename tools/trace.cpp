@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/job.h"
+#include "runtime/opencl/seconds_now.h"
 
 namespace brandung {
 namespace {

@@ -2,17 +2,15 @@
 #pragma once
 #include <CL/opencl.hpp>
 
-#include <chrono>
 #include <map>
 #include <optional>
 #include <set>
 #include <vector>
 
 #include "runtime/opencl/access.h"
+#include "runtime/opencl/seconds_now.h"
 
 namespace brandung {
-
-inline double steady_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Of a kernel, or without a name of something else that the device does in between.
 struct PendingLaunch {
@@ -20,7 +18,7 @@ struct PendingLaunch {
     std::uint64_t items, rows;
     Traffic traffic;
     cl::Event event;
-    double enqueued = steady_seconds();
+    double enqueued = seconds_now();
 };
 
 struct Device::Implementation {

@@ -15,7 +15,7 @@ std::string build_options(const DeviceInfo &info) {
 cl::Program &program_for(Device::Implementation &device, const std::string &file, const std::string &text) {
     if (const auto known = device.programs.find(text); known != device.programs.end()) return known->second;
     if (device.on_build) device.on_build(file);
-    const double start = steady_seconds();
+    const double start = seconds_now();
     cl::Program program = attempt("program " + file, [&] { return cl::Program(device.context, text); });
     try {
         program.build(device.device, build_options(device.info).c_str());
@@ -25,7 +25,7 @@ cl::Program &program_for(Device::Implementation &device, const std::string &file
         const std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device.device);
         throw BuildError("kernel file " + file + " does not build on '" + device.info.name + "': " + status_name(error.err()) + "\n" + log, log);
     }
-    const double end = steady_seconds();
+    const double end = seconds_now();
     device.build_seconds += end - start;
     if (device.on_built) device.on_built({file, start, end});
     return device.programs.emplace(text, std::move(program)).first->second;

@@ -1,12 +1,11 @@
 #include "runtime/selftest/selftest.h"
 
 #include <algorithm>
-#include <chrono>
+
+#include "runtime/opencl/seconds_now.h"
 
 namespace brandung {
 namespace {
-
-double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 struct Run {
     SubjectReport report;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "runtime/opencl/kernel.h"
-#include "tools/job.h"
+#include "runtime/opencl/seconds_now.h"
 #include "tools/median.h"
 
 namespace brandung {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "runtime/opencl/seconds_now.h"
 #include "scene/tone.h"
 #include "tools/preview/tev.h"
 #include "tools/preview/web.h"
