@@ -52,13 +52,14 @@ void add_bench(CLI::App &app, int &status) {
     add_scene_options(*command, *options);
     add_device_options(*command, *options);
     command->footer(
-        "items: what launches were made for; of shadow rays their slots, of which not all need a ray. ns·core: nanoseconds per item, times compute\n"
-        "units. B/item: bytes that an item reads and writes in arrays of records; the scene's few materials and lights do not count, and where a "
-        "kernel\n"
-        "searches the scene or a list nothing can be told (-). %copy: of the bytes per second that the device copies at most; floating-point "
-        "operations\n"
-        "are not counted, so that this is the only roof. %launch: waiting / (waiting + running), where waiting is the time in which a launch was\n"
-        "queued, the device free, and it had not begun. %wave: items of a launch over those for which its queue has room (-: works on no queue).\n"
+        "items: what launches were made for; of shadow rays their slots, of which not all need a ray.\n"
+        "ns·core: nanoseconds per item, times compute units.\n"
+        "B/item: bytes that an item reads and writes in arrays of records; the scene's few materials and lights do not count,\n"
+        "and where a kernel searches the scene or a list nothing can be told (-).\n"
+        "%copy: of the bytes per second that the device copies at most; operations are not counted: this is the only roof.\n"
+        "%launch: waiting / (waiting + running), where waiting is the time in which a launch was queued, the device free, and\n"
+        "it had not begun.\n"
+        "%wave: items of a launch over those for which its queue has room (-: works on no queue).\n"
         "The rest of a render's seconds is in no kernel: the host's work, transfers, fills of arrays.\n"
         "Example:\n  brandung bench scene.json --json > before.json; brandung bench scene.json --compare before.json");
     command->option_defaults()->group("Bench");

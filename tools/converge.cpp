@@ -147,6 +147,52 @@ std::size_t count_runs(const std::vector<Series> &all) {
     return runs;
 }
 
+/// What is known of the ways and the reference before anything is measured.
+std::vector<std::string> early_warnings(const Climbers &climbers, const Reference &reference) {
+    std::vector<Series> expected = series_of(climbers);
+    add_ways(climbers, reference, expected);
+    std::vector<std::string> warnings = warnings_of_departures(expected, reference);
+    if (const auto cut = warning_of_cut(reference)) warnings.push_back(*cut);
+    return warnings;
+}
+
+/// Climbs, and measures the pictures of other renderers too. Throws Interrupted before the first run has ended.
+Convergence measure(const Options &options, const Climbers &climbers, std::vector<ForeignSeries> foreign, const Reference &reference,
+                    Teller &teller) {
+    const Job &job = climbers.front()->job();
+    const Window window = job.scene.film.window();
+    Convergence all{.subject = {job.scene.file, scene_fingerprint(job), job.device.info().name, program_version(), reference.name, window.width(),
+                                window.height(), reference.noise, options.settings},
+                    .series = climb({options.rungs, options.seeds, options.seed.value_or(1)}, climbers, reference, teller),
+                    .summaries = {},
+                    .warnings = {},
+                    .runs_total = options.rungs.count() * options.seeds * climbers.size()};
+    add_ways(climbers, reference, all.series);
+    all.runs_done = count_runs(all.series);
+    if (all.runs_done == 0) throw Interrupted();
+    std::erase_if(all.series, [](const Series &series) { return series.runs.empty(); });
+    for (ForeignSeries &each : foreign) all.series.push_back(measured(std::move(each), reference.picture));
+    return all;
+}
+
+/// What follows from the series. Warnings that were not known before are told.
+void conclude(Convergence &all, const Reference &reference, Teller &teller) {
+    const auto targets = round_targets(all.series);
+    for (const Series &series : all.series) all.summaries.push_back(summarize(series, targets, reference.noise));
+    all.warnings = warnings_of_departures(all.series, reference);
+    if (const auto cut = warning_of_cut(reference)) all.warnings.push_back(*cut);
+    for (const std::string &warning : warnings_of_noise(all.series, all.summaries, reference)) {
+        teller.warn(warning);
+        all.warnings.push_back(warning);
+    }
+}
+
+void write(const Convergence &convergence, const Options &options) {
+    if (!options.html.empty()) write_text(options.html, convergence_page(convergence));
+    if (!options.csv.empty()) write_text(options.csv, convergence_csv(convergence));
+    print_result(options.as_json ? convergence_json(convergence).dump(2) + "\n" : convergence_text(convergence));
+}
+
 /// Whether all was measured that was asked for. `saved` gets the file to which the reference was written, if it was.
 bool run(Options &options, std::string &saved) {
     check_options(options);
@@ -165,35 +211,11 @@ bool run(Options &options, std::string &saved) {
     const Reference reference = find_reference(options, climbers, teller, saved);
     if (reference.way) check_parts(climbers, reference.name, *reference.way);
     check_size(reference, window);
-    const std::optional<std::string> cut = warning_of_cut(reference);
-    if (cut) teller.warn(*cut);
     for (const auto &climber : climbers) warm_up(*climber, teller);
-    std::vector<Series> expected = series_of(climbers);
-    add_ways(climbers, reference, expected);
-    for (const std::string &warning : warnings_of_departures(expected, reference)) teller.warn(warning);
-    const Job &job = climbers.front()->job();
-    Convergence convergence{.subject = {scene.file, scene_fingerprint(job), job.device.info().name, program_version(), reference.name, window.width(),
-                                        window.height(), reference.noise, options.settings},
-                            .series = climb({options.rungs, options.seeds, options.seed.value_or(1)}, climbers, reference, teller),
-                            .summaries = {},
-                            .warnings = {},
-                            .runs_total = options.rungs.count() * options.seeds * climbers.size()};
-    add_ways(climbers, reference, convergence.series);
-    convergence.runs_done = count_runs(convergence.series);
-    if (convergence.runs_done == 0) throw Interrupted();
-    std::erase_if(convergence.series, [](const Series &series) { return series.runs.empty(); });
-    for (ForeignSeries &each : foreign) convergence.series.push_back(measured(std::move(each), reference.picture));
-    const auto targets = round_targets(convergence.series);
-    for (const Series &series : convergence.series) convergence.summaries.push_back(summarize(series, targets, reference.noise));
-    convergence.warnings = warnings_of_departures(convergence.series, reference);
-    if (cut) convergence.warnings.push_back(*cut);
-    for (const std::string &warning : warnings_of_noise(convergence.series, convergence.summaries, reference)) {
-        teller.warn(warning);
-        convergence.warnings.push_back(warning);
-    }
-    if (!options.html.empty()) write_text(options.html, convergence_page(convergence));
-    if (!options.csv.empty()) write_text(options.csv, convergence_csv(convergence));
-    print_result(options.as_json ? convergence_json(convergence).dump(2) + "\n" : convergence_text(convergence));
+    for (const std::string &warning : early_warnings(climbers, reference)) teller.warn(warning);
+    Convergence convergence = measure(options, climbers, std::move(foreign), reference, teller);
+    conclude(convergence, reference, teller);
+    write(convergence, options);
     return !convergence.interrupted();
 }
 

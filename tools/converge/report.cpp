@@ -59,7 +59,7 @@ json runs_json(const Series &series) {
 }
 
 std::string slope_text(const std::optional<Slope> &slope) {
-    return slope ? fmt::format("{:.2f} ± {:.2f}", slope->slope, slope->standard_error) : "unknown (too few runs)";
+    return slope ? fmt::format("{:.2f} ± {:.2f}", slope->slope, slope->standard_error) : "unknown (from less than three runs, or one rung)";
 }
 
 std::string efficiency_text(const Summary &summary) {
@@ -162,7 +162,9 @@ std::string convergence_text(const Convergence &convergence) {
         text += fmt::format("relmse falls with time to the power {}, with samples {}; efficiency 1/(mse s) {}",
                             slope_text(summary.by_seconds.at("relmse")), slope_text(summary.by_samples.at("relmse")), efficiency_text(summary));
     }
-    text += "\n\n± half of the interval of 95 % of a mean of repetitions; * near the reference's own noise\n";
+    text +=
+        "\n\n± half of the interval of 95 % of a mean of repetitions, of slopes the standard error; seconds are medians; * near the reference's own "
+        "noise\n";
     for (const std::string &warning : convergence.warnings) text += "warning: " + warning + "\n";
     return text;
 }
