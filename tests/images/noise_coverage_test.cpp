@@ -175,8 +175,8 @@ uint number_of_runs() {
 }
 
 /// Of n intervals of 95 % at least 95 % - 3 sqrt(0.95 * 0.05 / n) hold the error. That they are not too wide show errors over estimates, by their
-/// logarithms in standard deviations of the interval: these have a variance of 1, within three of its own, sqrt(2 / n), and the 5 % that the kurtosis
-/// of stratified samples leaves open of intervals, 10 % of variances.
+/// logarithms in standard deviations of the interval: these have a variance of 1, within three of its own, sqrt(2 / n), and a tenth more, since the
+/// kurtosis of stratified samples leaves open by how much it is below.
 TEST_P(NoiseOf, HoldsTheErrorOfThePicture) {
     const uint runs = number_of_runs();
     Scene scene = GetParam().make();
