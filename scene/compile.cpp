@@ -25,12 +25,12 @@ void use_everything(const Scene &scene, CompiledScene &compiled) {
 
 }  // namespace
 
-CompiledScene compile(const Scene &scene, Kinds kinds) {
+CompiledScene compile(const Scene &scene, Kinds kinds, const WatchAccelerator &watch) {
     CompiledScene compiled;
     compiled.warnings = scene.warnings;
     compiled.warning_places = scene.warning_places;
     Arena arena(compiled.arena);
-    add_primitives(scene, kinds, compiled, arena);
+    add_primitives(scene, kinds, watch, compiled, arena);
     add_materials(scene, compiled, arena);
     add_lights(scene, compiled, arena);
     if (kinds == Kinds::all) use_everything(scene, compiled);

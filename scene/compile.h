@@ -1,6 +1,7 @@
 /// From a Scene to the arena that kernels read.
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "scene/scene.h"
 
 namespace brandung {
+
+struct AcceleratorKind;
 
 /// So many media a ray can be in at once; what it enters beyond them is left out.
 inline constexpr uint max_interior_size = 8;
@@ -24,7 +27,7 @@ struct CompiledScene {
     std::vector<const PrimitiveKind *> primitives;  ///< kinds in use; a kind's place is its number on the device
     std::vector<uint> bsdfs, lights;                ///< kinds in use: places in bsdf_kinds() and light_kinds(), which are their numbers
     uint filter = 0, sampler = 0;                   ///< in use: their places in filter_kinds() and sampler_kinds()
-    std::string accelerator;
+    const AcceleratorKind *accelerator = nullptr;
     bool reflects = false, transmits = false;  ///< whether any material spawns such rays
     bool instances = false;                    ///< whether rays look into groups
     bool follows_one = false;                  ///< whether of a reflected and a refracted ray one is chosen
@@ -42,11 +45,16 @@ struct CompiledScene {
     uint dark_emitters = 0;                    ///< emissive shapes that would be lights, but for integrator.light_samples
     std::map<std::string, uint> light_counts;  ///< of lights and emissive shapes, by kind
     double accelerator_seconds = 0;
+    std::size_t node_bytes = 0;                         ///< of accelerators
+    std::size_t block_bytes = 0;                        ///< of the primitives and instances in their blocks
     std::map<std::string, uint> warnings;               ///< the scene's and those found here: text -> how often
     std::map<std::string, std::string> warning_places;  ///< of both
 };
 
+/// Is told which part of an accelerator is built, from 0 to 1, now and then.
+using WatchAccelerator = std::function<void(const AcceleratorKind &kind, double part)>;
+
 /// Throws SceneError if the scene is too big, or names an unknown accelerator.
-CompiledScene compile(const Scene &scene, Kinds kinds = Kinds::in_use);
+CompiledScene compile(const Scene &scene, Kinds kinds = Kinds::in_use, const WatchAccelerator &watch = {});
 
 }  // namespace brandung

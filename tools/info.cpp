@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "scene/accelerators/accelerator.h"
 #include "tools/commands.h"
 #include "tools/report.h"
 #include "tools/report_text.h"
@@ -27,7 +28,7 @@ json describe(const Options &options) {
             {"camera", job.camera.name},
             {"film", {{"width", scene.film.width}, {"height", scene.film.height}, {"spp", scene.film.spp}}},
             {"integrator", scene.integrator.type},
-            {"accelerator", job.compiled.accelerator},
+            {"accelerator", job.compiled.accelerator->name},
             {"memory", memory(job)},
             {"kernels", job.device.kernels()},
             {"features", features(job)},

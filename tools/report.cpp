@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scene/accelerators/accelerator.h"
 #include "scene/aovs/aov.h"
 #include "scene/bsdfs/bsdf.h"
 #include "scene/filters/filter.h"
@@ -22,7 +23,7 @@ std::vector<std::string> features_in_use(const Scene &scene, const CompiledScene
     for (const uint kind : compiled.bsdfs) used.push_back(std::string("material ") + bsdf_kinds()[kind].name);
     for (const uint kind : compiled.lights) used.push_back(std::string("light ") + light_kinds()[kind].name);
     if (compiled.emissive_instances) used.push_back("emissive shapes of instances as lights");
-    used.push_back("accelerator " + compiled.accelerator);
+    used.push_back(std::string("accelerator ") + compiled.accelerator->name);
     used.push_back(std::string("sampler ") + sampler_kinds()[compiled.sampler].name);
     used.push_back(std::string("filter ") + filter_kinds()[compiled.filter].name);
     for (const uint aov : scene.film.aovs) used.push_back(std::string("AOV ") + aov_kinds()[aov].name);
@@ -162,7 +163,7 @@ json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &en
             {"device", job.device.info().name},
             {"distrust", job.distrust},
             {"integrator", job.scene.integrator.type},
-            {"accelerator", job.compiled.accelerator},
+            {"accelerator", job.compiled.accelerator->name},
             {"width", film.width},
             {"height", film.height},
             {"window", {window.left, window.top, window.right, window.bottom}},

@@ -1,11 +1,11 @@
-// What a traversal gathers: the closest hit and whether it has company, for one ray and for packets; or all hits up to some t.
+// What a traversal of one ray gathers: the closest hit and whether it has company; or all hits up to some t.
 // In scenes with instances it also knows which one it is in: `inside`, 0 outside of all, and `entry`, where the ray enters that one's box. A hit
 // before the entry, which is due to rounding, is moved there, so that no box in the world can lose it.
 #pragma once
 #include "generated/constants.h"
 #include "generated/instances.cl"
 #include "kernels/accelerators/hit_list.h"
-#include "kernels/accelerators/packet.cl"
+#include "kernels/core/rays.cl"
 
 /// The closest hit so far, and what else was met: where transparent bodies touch, a ray meets faces of both at one place.
 typedef struct {
@@ -37,30 +37,9 @@ FUNCTION bool is_before(float t, uint primitive, const Nearest *nearest) {
     return t < hit.t || (t == hit.t && primitive < hit.primitive);
 }
 
-/// Nearest, lane by lane.
-typedef struct {
-    float16 t, u, v;
-    uint16 primitive;
-    float16 next, margin;
-    uint16 instance;
-    uint inside;
-    float16 entry;
-} PacketHits;
-
-FUNCTION PacketHits packet_without_hits(const Packet *packet, float extent) {
-    PacketHits hits;
-    hits.t = packet->t_max, hits.u = (float16)(0.0f), hits.v = (float16)(0.0f), hits.primitive = (uint16)(NO_HIT);
-    hits.next = (float16)(INFINITY);
-    hits.margin = CROWD_MARGIN * box_pad(packet->origin, extent) / largest(absolute(packet->direction));
-    if (INSTANCES) hits.instance = (uint16)(NO_HIT), hits.inside = 0u, hits.entry = (float16)(0.0f);
-    return hits;
-}
-
-FUNCTION int16 is_before(float16 t, uint16 primitive, const PacketHits *hits) {
-    const int16 first = primitive < hits->primitive;
-    if (!INSTANCES) return (t < hits->t) | ((t == hits->t) & first);
-    const uint16 inside = (uint16)(hits->inside);
-    return (t < hits->t) | ((t == hits->t) & ((inside < hits->instance) | ((inside == hits->instance) & first)));
+/// Whether it is the closest hit's own primitive, met once more: structures with cells may test one twice.
+FUNCTION bool is_hit(uint primitive, const Nearest *nearest) {
+    return (primitive == nearest->hit.primitive) & (!INSTANCES | (nearest->inside == nearest->instance));
 }
 
 FUNCTION PlacedHit closest_of(Nearest nearest) { return placed(nearest.hit, INSTANCES && nearest.hit.primitive != NO_HIT ? nearest.instance : 0u); }
@@ -86,11 +65,13 @@ FUNCTION bool is_before(PlacedHit a, PlacedHit b) {
     return a.hit.primitive < b.hit.primitive;
 }
 
+/// A hit that is in the list already does not come twice.
 FUNCTION void hit_list_add(HitList *list, Hit hit) {
     PlacedHit added = placed(hit, list->inside);
     for (uint k = 0u; k < list->count; ++k) {
         const PlacedHit other = list->hits[k];
         if (is_before(other, added)) continue;
+        if (!is_before(added, other)) return;
         list->hits[k] = added, added = other;
     }
     if (list->count < HIT_LIST_SIZE) list->hits[list->count++] = added;

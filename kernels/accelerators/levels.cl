@@ -1,4 +1,4 @@
-// What rays meet in the scene, by the accelerator in use. An accelerator's file is a template, included once per level of the scene.
+// What a ray meets in the scene, by the accelerator in use. An accelerator's file is a template, included once per level of the scene.
 #pragma once
 #include "generated/levels.cl"
 
@@ -22,30 +22,4 @@ FUNCTION bool scene_any_hit(Scene scene, Ray ray, uint source_instance, HitList 
     const global Group *world = &scene.header->world;
     const ray_x8 lanes = prepare_in_world(world, ray, source_instance);
     return world_any_hit(scene, world, &lanes, list);
-}
-
-FUNCTION PacketHits scene_closest_hits(Scene scene, const Packet *packet) {
-    const global Group *world = &scene.header->world;
-    PacketHits closest = packet_without_hits(packet, world->extent);
-    for (uint axis = 0u; axis < 3u; ++axis) {
-        const int16 lanes = packet_lanes(packet, axis);
-        if (mask_bits(lanes) == 0u) continue;
-        PacketRays rays = packet_rays(packet, axis, world->extent, lanes);
-        world_closest_hits(scene, world, &rays, &closest);
-    }
-    return closest;
-}
-
-/// The packet's rays that meet something before their t_max.
-FUNCTION int16 scene_occluded(Scene scene, const Packet *packet) {
-    const global Group *world = &scene.header->world;
-    int16 occluded = (int16)(0);
-    for (uint axis = 0u; axis < 3u; ++axis) {
-        const int16 lanes = packet_lanes(packet, axis);
-        if (mask_bits(lanes) == 0u) continue;
-        PacketRays rays = packet_rays(packet, axis, world->extent, lanes);
-        world_end_occluded(scene, world, &rays);
-        occluded |= lanes & (rays.rays.t_max < 0.0f);
-    }
-    return occluded;
 }

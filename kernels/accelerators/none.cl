@@ -17,16 +17,4 @@ static bool LEVEL(any_hit)(Scene scene, const global Group *group, const ray_x8 
 #undef TEST
     return false;
 }
-
-static void LEVEL(closest_hits)(Scene scene, const global Group *group, PacketRays *packet, PacketHits *hits) {
-#define TEST(kind, block) LEAF_CLOSEST_HITS(scene, group, kind, block, packet, hits)
-    LEVEL_KINDS(FOR_EACH_BLOCK)
-#undef TEST
-}
-
-static void LEVEL(end_occluded)(Scene scene, const global Group *group, PacketRays *packet) {
-#define TEST(kind, block) LEAF_ENDS_RAYS(scene, group, kind, block, packet)
-    LEVEL_KINDS(FOR_EACH_BLOCK)
-#undef TEST
-}
 #undef FOR_EACH_BLOCK

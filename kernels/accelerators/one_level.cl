@@ -6,12 +6,8 @@
 #define LEVEL_KINDS(X) FOR_EACH_PRIMITIVE(X)
 #define LEAF_CLOSEST_HIT block_closest_hit
 #define LEAF_ANY_HIT block_any_hit
-#define LEAF_CLOSEST_HITS block_closest_hits
-#define LEAF_ENDS_RAYS block_ends_rays
 #include "generated/accelerator.cl"
 #undef LEVEL
 #undef LEVEL_KINDS
 #undef LEAF_CLOSEST_HIT
 #undef LEAF_ANY_HIT
-#undef LEAF_CLOSEST_HITS
-#undef LEAF_ENDS_RAYS

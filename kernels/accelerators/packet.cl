@@ -5,6 +5,11 @@
 #include "kernels/core/rays.cl"
 #include "kernels/core/transpose.cl"
 
+#include "kernels/core/lanes_16.cl"
+#include "kernels/core/lane_ray.cl"
+
+#include "kernels/core/lanes_1.cl"
+
 #define PACKET 16u
 
 /// Bounds of the rays that are alive (t_max >= 0) along one axis. A box's plane p is passed at t = (p - from) * inverse.

@@ -6,15 +6,11 @@
 #define LEVEL_KINDS(X) FOR_EACH_PRIMITIVE(X)
 #define LEAF_CLOSEST_HIT block_closest_hit
 #define LEAF_ANY_HIT block_any_hit
-#define LEAF_CLOSEST_HITS block_closest_hits
-#define LEAF_ENDS_RAYS block_ends_rays
 #include "generated/accelerator.cl"
 #undef LEVEL
 #undef LEVEL_KINDS
 #undef LEAF_CLOSEST_HIT
 #undef LEAF_ANY_HIT
-#undef LEAF_CLOSEST_HITS
-#undef LEAF_ENDS_RAYS
 
 #include "kernels/accelerators/instance_leaf.cl"
 
@@ -22,12 +18,8 @@
 #define LEVEL_KINDS(X) FOR_EACH_PRIMITIVE(X) X(INSTANCE_KIND, Instance, instance)
 #define LEAF_CLOSEST_HIT world_block_closest_hit
 #define LEAF_ANY_HIT world_block_any_hit
-#define LEAF_CLOSEST_HITS world_block_closest_hits
-#define LEAF_ENDS_RAYS world_block_ends_rays
 #include "generated/accelerator.cl"
 #undef LEVEL
 #undef LEVEL_KINDS
 #undef LEAF_CLOSEST_HIT
 #undef LEAF_ANY_HIT
-#undef LEAF_CLOSEST_HITS
-#undef LEAF_ENDS_RAYS

@@ -1,4 +1,5 @@
 // Template: rays, boxes and crossings for the lane width in force: LaneRay, LaneBox and Crossing name that width's types. Included once per width.
+#include "generated/work.cl"
 
 /// Ray(s) prepared for tracing. Boxes are tested as (plane ∓ pad - origin) / direction, where the pad exceeds every rounding error of the
 /// primitives' tests; the same formula for every box makes the test monotone: whoever hits a box hits all boxes around it.
@@ -12,6 +13,7 @@ typedef struct {
     real3 inverse, shift_low, shift_high;  ///< plane of a box -> t: fma(plane, inverse, shift)
     real3 shear;                           ///< direction[kx] / direction[kz], direction[ky] / direction[kz], 1 / direction[kz]
     uint kx, ky, kz;                       ///< axes; kz has the largest component of the direction
+    WORK_OF_RAY
 } LaneRay;
 
 /// Around a primitive, without the pad.

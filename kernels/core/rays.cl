@@ -1,10 +1,7 @@
-// Rays, boxes and crossings of 8 and of 16 lanes, and one ray prepared for 8 primitives at a time.
+// Rays, boxes and crossings of 8 lanes: one ray prepared for 8 primitives at a time.
 #pragma once
 
 #include "kernels/core/lanes_8.cl"
-#include "kernels/core/lane_ray.cl"
-
-#include "kernels/core/lanes_16.cl"
 #include "kernels/core/lane_ray.cl"
 
 #include "kernels/core/items.h"

@@ -1,5 +1,6 @@
 // Rays in packets of 16 neighbours and one after another: what they meet, and whether they meet anything.
 #include "kernels/accelerators/levels.cl"
+#include "kernels/accelerators/packet_levels.cl"
 
 FUNCTION bool is_same(PacketHits packet, uint j, Hit hit) {
     float t[PACKET], u[PACKET], v[PACKET];

@@ -6,6 +6,7 @@
 #include "generated/primitive_hits.cl"
 
 #include "kernels/core/lanes_16.cl"
+#include "kernels/core/lane_ray.cl"
 #include "generated/primitive_hits.cl"
 
 #include "kernels/core/lanes_1.cl"

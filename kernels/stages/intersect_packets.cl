@@ -1,6 +1,6 @@
 // Closest hits of a list of rays in packets of 16 neighbours: for rays that stay together. Same bits as intersect.
 #include "generated/instances.cl"
-#include "kernels/accelerators/levels.cl"
+#include "kernels/accelerators/packet_levels.cl"
 
 FUNCTION void store_hits(global Hit *hits, uint count, PacketHits closest) {
     const float16 columns[4] = {closest.t, closest.u, closest.v, as_float16(closest.primitive)};

@@ -1,5 +1,5 @@
 // Visibility along shadow rays, in packets of 16 neighbours: the rays of a row go to one light.
-#include "kernels/accelerators/levels.cl"
+#include "kernels/accelerators/packet_levels.cl"
 
 /// Work-items (chunk, row). Row r's rays are live[r * stride ...], counts[r] of them, each an index into `rays` and `visible`; visible[k]
 /// becomes 0 where something is met before the ray's t_max, and stays as it is elsewhere. One tally per work-item. In scenes with instances

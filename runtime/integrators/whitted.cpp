@@ -46,7 +46,7 @@ public:
           no_tints_(job.device, 0),
           no_spectra_(job.device, 0),
           counter_(job.device, generate_.work_items(job.batch) * std::clamp(light_count_, 1u, lights_per_block)) {
-        if (job.device.info().cpu) intersect_packets_.emplace(job.device, "kernels/stages/intersect_packets.cl", "intersect_packets", scene_.lists());
+        if (traces_packets(job)) intersect_packets_.emplace(job.device, "kernels/stages/intersect_packets.cl", "intersect_packets", scene_.lists());
         if (branching_ > 0 || !intersect_packets_) intersect_.emplace(job.device, "kernels/stages/intersect.cl", "intersect", scene_.lists());
         if (branching_ > 0) secondary_.emplace(job, branching_);
         if (job.compiled.transmits) media_.emplace(job);
@@ -248,7 +248,7 @@ private:
     uint branching_;
     WhittedParams params_;
     Kernel generate_, evaluate_, shade_, accumulate_;
-    std::optional<Kernel> intersect_packets_, intersect_;  ///< packets where one work-item has many rays
+    std::optional<Kernel> intersect_packets_, intersect_;
     Levels levels_;
     Buffer<Hit> hits_;
     Buffer<uint> hit_instances_;  ///< of the hits, in scenes with instances

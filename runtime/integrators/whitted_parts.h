@@ -4,10 +4,14 @@
 
 #include "runtime/integrators/integrator.h"
 #include "runtime/wavefront/compaction.h"
+#include "scene/accelerators/accelerator.h"
 
 namespace brandung {
 
 inline constexpr const char *whitted_cl = "kernels/integrators/whitted.cl";
+
+/// Packets pay where one work-item has many rays.
+inline bool traces_packets(const IntegratorJob &job) { return job.device.info().cpu && job.compiled.accelerator->packets; }
 
 /// Mirrored and refracted rays: only where a material sends them.
 struct Secondary {
@@ -64,12 +68,11 @@ struct Shadows {
           rays(job.device, std::size_t{stride} * rows),
           visible(job.device, std::size_t{stride} * rows),
           live(job.device, std::size_t{stride} * rows) {
-        if (job.device.info().cpu)
-            trace_packets.emplace(job.device, "kernels/stages/trace_shadow_rays.cl", "trace_shadow_rays", job.on_device.lists());
+        if (traces_packets(job)) trace_packets.emplace(job.device, "kernels/stages/trace_shadow_rays.cl", "trace_shadow_rays", job.on_device.lists());
     }
     uint stride, rows;
     Kernel spawn, trace_singly;
-    std::optional<Kernel> trace_packets;  ///< where one work-item has many rays
+    std::optional<Kernel> trace_packets;
     Compaction compact;
     Buffer<Ray> rays;
     Buffer<std::uint8_t> visible;

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "runtime/wavefront/specialization.h"
+#include "scene/accelerators/accelerator.h"
 #include "scene/compilation/arena.h"
 
 namespace brandung {
@@ -11,7 +12,7 @@ namespace {
 /// Of a scene with lights of every kind.
 Sources lists_with_all_lights() {
     CompiledScene scene;
-    scene.accelerator = "none";
+    scene.accelerator = &find_accelerator("none");
     scene.instances = scene.emissive_instances = true;
     scene.lights.resize(light_kinds().size());
     std::iota(scene.lights.begin(), scene.lights.end(), 0u);

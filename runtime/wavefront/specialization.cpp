@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/accelerators/accelerator.h"
 #include "scene/bsdfs/bsdf.h"
 #include "scene/filters/filter.h"
 #include "scene/lights/light.h"
@@ -27,6 +28,16 @@ void add_primitives(const CompiledScene &scene, Sources &sources) {
     sources["generated/primitives.cl"] = "#pragma once\n" + records + "#define FOR_EACH_PRIMITIVE(X)" + list + "\n";
     sources["generated/primitive_surfaces.cl"] = "#pragma once\n" + surfaces;
     sources["generated/primitive_hits.cl"] = hits;
+}
+
+void add_accelerator(const CompiledScene &scene, Sources &sources) {
+    const std::string levels = scene.instances ? "two_levels" : "one_level";
+    sources["generated/accelerator.cl"] = include(fmt::format("accelerators/{}.cl", scene.accelerator->file));
+    sources["generated/levels.cl"] = include(fmt::format("accelerators/{}.cl", levels));
+    sources["generated/work.cl"] = include("accelerators/no_work.cl");
+    if (!scene.accelerator->packets) return;
+    sources["generated/packet_accelerator.cl"] = include(fmt::format("accelerators/{}_packets.cl", scene.accelerator->file));
+    sources["generated/packet_levels.cl"] = include(fmt::format("accelerators/packet_{}.cl", levels));
 }
 
 /// The bits of those in use that are flat.
@@ -56,8 +67,7 @@ Sources specialize(const CompiledScene &scene) {
     add_primitives(scene, sources);
     sources["generated/bsdfs.cl"] = family(scene.bsdfs, bsdf_kinds(), "bsdfs", "FOR_EACH_BSDF");
     sources["generated/lights.cl"] = family(scene.lights, light_kinds(), "lights", "FOR_EACH_LIGHT");
-    sources["generated/accelerator.cl"] = include("accelerators/" + scene.accelerator + ".cl");
-    sources["generated/levels.cl"] = include(scene.instances ? "accelerators/two_levels.cl" : "accelerators/one_level.cl");
+    add_accelerator(scene, sources);
     sources["generated/instances.cl"] = include(scene.instances ? "primitives/instance.cl" : "primitives/no_instance.cl");
     sources["generated/emissive_instances.cl"] =
         include(scene.emissive_instances ? "lights/emissive_instances.cl" : "lights/no_emissive_instances.cl");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernels/core/scene.h"
+#include "scene/accelerators/build_progress.h"
 #include "scene/bounds.h"
 
 namespace brandung {
@@ -29,10 +30,12 @@ struct BuiltAccelerator {
     uint node_count = 0;
 };
 
-/// `kernels/accelerators/<name>.cl` traverses what `build` makes.
+/// `kernels/accelerators/<file>.cl` traverses what `build` makes; with `packets`, <file>_packets.cl does so with packets of rays.
 struct AcceleratorKind {
-    const char *name;
-    BuiltAccelerator (*build)(std::span<const Reference> references);
+    const char *name, *file;
+    bool packets;
+    /// The same for any number of threads. Throws SceneError where it cannot hold that many.
+    BuiltAccelerator (*build)(std::span<const Reference> references, BuildProgress &progress);
 };
 const std::vector<AcceleratorKind> &accelerator_kinds();
 /// Throws SceneError with the list of names. "auto" is the default accelerator.

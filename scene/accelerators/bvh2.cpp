@@ -21,8 +21,9 @@ struct Range {
 };
 
 struct Build {
-    Bvh2 tree;
-    std::vector<SortedReference> scratch;
+    BuildProgress &progress;
+    Bvh2 tree{};
+    std::vector<SortedReference> scratch{};
     std::atomic<uint> node_count = 1;
     uint depth_limit = 0;
 
@@ -84,7 +85,10 @@ void build_node(Build &build, uint index, Range range, uint depth) {
     Bvh2Node &node = build.tree.nodes[index];
     node = {extent.boxes, range.begin, range.count(), 0};
     const uint middle = divide(build, node, extent.centres, depth);
-    if (middle == range.begin) return;
+    if (middle == range.begin) {
+        build.progress.add(range.count());
+        return;
+    }
     const uint children = node.children = build.node_count.fetch_add(2);
     const auto build_first = [&] { build_node(build, children, {range.begin, middle}, depth + 1); };
     const auto build_second = [&] { build_node(build, children + 1, {middle, range.end}, depth + 1); };
@@ -105,8 +109,8 @@ double pad_for(const KindBox &box) {
 
 }  // namespace
 
-Bvh2 build_bvh2(std::span<const Reference> references, uint slack) {
-    Build build;
+Bvh2 build_bvh2(std::span<const Reference> references, uint slack, BuildProgress &progress) {
+    Build build{.progress = progress};
     const Range all{0, uint(references.size())};
     take_references(build, references);
     // Room for one leaf per reference. It isn't written beforehand, so what isn't used costs no memory.

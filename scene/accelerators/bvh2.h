@@ -28,7 +28,8 @@ struct Bvh2 {
 };
 
 /// Parallel build by binned SAH. All leaves fit a block; so do some nodes above leaves, for the collapse to choose from.
+/// Counts every reference once as progress, which its user begins.
 /// Leaves are at most ceil(log2(size of references)) + `slack` below the root: 0 gives a balanced tree. There must be a reference.
-Bvh2 build_bvh2(std::span<const Reference> references, uint slack);
+Bvh2 build_bvh2(std::span<const Reference> references, uint slack, BuildProgress &progress);
 
 }  // namespace brandung

@@ -78,12 +78,14 @@ void cut_subtree(const Bvh2 &tree, uint index, Cut *cuts) {
 
 struct Collapse {
     const Bvh2 &tree;
+    BuildProgress &progress;
     std::unique_ptr<Cut[]> cuts;
     std::array<std::vector<PrimitiveBlock>, MAX_PRIMITIVE_KINDS> blocks;
     std::vector<BvhNode> nodes;
     uint stack_entries = 1;  // that a ray needs if it meets all boxes and visits the children in the worst order
 
-    explicit Collapse(const Bvh2 &binary) : tree(binary), cuts(std::make_unique_for_overwrite<Cut[]>(binary.node_count)) {}
+    Collapse(const Bvh2 &binary, BuildProgress &progress)
+        : tree(binary), progress(progress), cuts(std::make_unique_for_overwrite<Cut[]>(binary.node_count)) {}
 };
 
 struct Children {
@@ -132,6 +134,7 @@ uint add_block(Collapse &collapse, const Bvh2Node &leaf) {
     for (uint i = 0; i < leaf.count; ++i) block.references[i] = collapse.tree.references[leaf.first + i].index;
     std::sort(block.references.begin(), block.references.begin() + leaf.count);
     blocks.push_back(block);
+    collapse.progress.add(leaf.count);
     return BVH_LEAF | kind << BVH_KIND_SHIFT | uint(blocks.size() - 1);
 }
 
@@ -163,21 +166,22 @@ BuiltAccelerator built(Collapse &collapse) {
     return accelerator;
 }
 
-BuiltAccelerator build_empty() {
+BuiltAccelerator build_empty(BuildProgress &progress) {
     const Bvh2 none;
-    Collapse collapse(none);
+    Collapse collapse(none, progress);
     collapse.nodes.push_back(empty_node());
     return built(collapse);
 }
 
 }  // namespace
 
-BuiltAccelerator build_wide_bvh(std::span<const Reference> references) {
-    if (references.empty()) return build_empty();
+BuiltAccelerator build_wide_bvh(std::span<const Reference> references, BuildProgress &progress) {
+    if (references.empty()) return build_empty(progress);
+    progress.begin(2 * references.size());  // the binary tree, then its collapse
     // Only nests of boxes that grow without end make the first tree too deep.
     for (uint slack = most_slack;; slack /= 2) {
-        const Bvh2 tree = build_bvh2(references, slack);
-        Collapse collapse(tree);
+        const Bvh2 tree = build_bvh2(references, slack, progress);
+        Collapse collapse(tree, progress);
         cut_subtree(tree, 0, collapse.cuts.get());
         add_node(collapse, 0, 0);
         if (collapse.stack_entries <= BVH_PENDING) return built(collapse);

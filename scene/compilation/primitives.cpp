@@ -91,7 +91,7 @@ void add_shading(const Scene &scene, const std::vector<Space> &spaces, CompiledS
 }
 
 /// The accelerator of a space, over its primitives and, in the world, the instances.
-Group add_space(const Scene &scene, const Space &space, bool is_world, CompiledScene &compiled, Arena &arena) {
+Group add_space(const Scene &scene, const Space &space, bool is_world, const WatchAccelerator &watch, CompiledScene &compiled, Arena &arena) {
     const uint kinds = static_cast<uint>(compiled.primitives.size());
     std::vector<Reference> references;
     references.reserve(space.primitives.size());
@@ -101,18 +101,21 @@ Group add_space(const Scene &scene, const Space &space, bool is_world, CompiledS
         for (const PlacedGroup &instance : scene.instances) references.push_back({instance.bounds, kinds});
 
     const auto start = std::chrono::steady_clock::now();
-    const AcceleratorKind &kind = find_accelerator(scene.accelerator);
-    const BuiltAccelerator built = kind.build(references);
-    compiled.accelerator = kind.name;
+    const AcceleratorKind &kind = *compiled.accelerator;
+    BuildProgress progress = watch ? BuildProgress([&](double part) { watch(kind, part); }) : BuildProgress();
+    const BuiltAccelerator built = kind.build(references, progress);
     compiled.accelerator_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     Group group{};
     group.extent = extent_of(references);
-    for (std::size_t k = 0; k < kinds; ++k)
-        group.blocks[k] = arena.add(write_primitives(*compiled.primitives[k], built.blocks[k], space), built.blocks[k].size());
-    if (is_world && !scene.instances.empty())
-        group.blocks[kinds] = arena.add(write_instances(built.blocks[kinds], scene, space.primitives.size()), built.blocks[kinds].size());
+    const auto add_blocks = [&](uint k, const std::vector<std::byte> &records) {
+        group.blocks[k] = arena.add(records, built.blocks[k].size());
+        compiled.block_bytes += records.size();
+    };
+    for (uint k = 0; k < kinds; ++k) add_blocks(k, write_primitives(*compiled.primitives[k], built.blocks[k], space));
+    if (is_world && !scene.instances.empty()) add_blocks(kinds, write_instances(built.blocks[kinds], scene, space.primitives.size()));
     group.nodes = arena.add(built.nodes, built.node_count);
+    compiled.node_bytes += built.nodes.size();
     return group;
 }
 
@@ -133,15 +136,16 @@ void add_instances(const Scene &scene, const std::vector<Group> &groups, Compile
 
 }  // namespace
 
-void add_primitives(const Scene &scene, Kinds kinds, CompiledScene &compiled, Arena &arena) {
+void add_primitives(const Scene &scene, Kinds kinds, const WatchAccelerator &watch, CompiledScene &compiled, Arena &arena) {
     const std::vector<Space> spaces = spaces_in_use(scene);
+    compiled.accelerator = &find_accelerator(scene.accelerator);
     compiled.primitives = kinds == Kinds::all ? primitive_kinds() : primitive_kinds_in_use(scene);
     compiled.instances = kinds == Kinds::all || !scene.instances.empty();
     if (compiled.primitives.size() + (compiled.instances ? 1 : 0) > MAX_PRIMITIVE_KINDS)
         throw SceneError(scene.file + ": too many kinds of primitives in one scene");
-    compiled.header.world = add_space(scene, spaces.front(), true, compiled, arena);
+    compiled.header.world = add_space(scene, spaces.front(), true, watch, compiled, arena);
     std::vector<Group> groups;
-    for (std::size_t g = 1; g < spaces.size(); ++g) groups.push_back(add_space(scene, spaces[g], false, compiled, arena));
+    for (std::size_t g = 1; g < spaces.size(); ++g) groups.push_back(add_space(scene, spaces[g], false, watch, compiled, arena));
     add_shading(scene, spaces, compiled, arena);
     if (compiled.instances) add_instances(scene, groups, compiled, arena);
 }

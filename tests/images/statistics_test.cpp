@@ -82,7 +82,7 @@ TEST(Counts, OfTracingStagesAreThoseOfTheHitsReadBack) {
         expect_tally(traced.closest_hits(rays));
         expect_tally(traced.closest_hits_of_packets(rays));
 
-        for (const char *stage : shadow_stages) {
+        for (const std::string &stage : traced.shadow_stages()) {
             const std::vector<std::uint8_t> visible = traced.visible(stage, rays);
             EXPECT_EQ(traced.tally().rays[RAY_SHADOW], rays.size()) << stage;
             EXPECT_EQ(traced.tally().hits[RAY_SHADOW], std::count(visible.begin(), visible.end(), 0)) << stage;

@@ -76,6 +76,12 @@ std::vector<std::uint8_t> TracedScene::visible(const std::string &stage, const s
     return visible.read();
 }
 
+std::vector<std::string> TracedScene::shadow_stages() const {
+    std::vector<std::string> stages = {"trace_shadow_rays_singly"};
+    if (traces_packets()) stages.push_back("trace_shadow_rays");
+    return stages;
+}
+
 std::vector<Surface> TracedScene::surfaces(const std::vector<Ray> &rays, const std::vector<Hit> &hits, const std::vector<uint> &instances) {
     Device &device = test_device();
     Sources sources = on_device_.lists();

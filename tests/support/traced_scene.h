@@ -8,13 +8,12 @@
 #include "kernels/primitives/surface.h"
 #include "runtime/opencl/kernel.h"
 #include "runtime/wavefront/device_scene.h"
+#include "scene/accelerators/accelerator.h"
 
 namespace brandung {
 
 Ray make_ray(vec3 origin, vec3 direction, float t_max = std::numeric_limits<float>::infinity(), uint kind = RAY_CAMERA);
 
-/// In packets, and one ray after another.
-constexpr const char *shadow_stages[] = {"trace_shadow_rays", "trace_shadow_rays_singly"};
 
 class TracedScene {
 public:
@@ -25,7 +24,7 @@ public:
     std::vector<Hit> closest_hits(const std::vector<Ray> &rays) { return closest_hits("intersect", rays); }
     /// By stages/intersect_packets.cl.
     std::vector<Hit> closest_hits_of_packets(const std::vector<Ray> &rays) { return closest_hits("intersect_packets", rays); }
-    /// By one of shadow_stages: 1 where nothing is met before t_max.
+    /// By one of shadow_stages(): 1 where nothing is met before t_max.
     std::vector<std::uint8_t> visible(const std::string &stage, const std::vector<Ray> &rays);
     /// By primitives/primitive.cl; all zero where nothing was hit.
     std::vector<Surface> surfaces(const std::vector<Ray> &rays, const std::vector<Hit> &hits, const std::vector<uint> &instances = {});
@@ -34,6 +33,11 @@ public:
     void leave_instances(const std::vector<uint> &sources) { sources_ = sources; }
     /// Those of the last closest hits; 0 in scenes without instances.
     const std::vector<uint> &instances() const { return instances_; }
+
+    /// Whether the accelerator traces packets.
+    bool traces_packets() const { return compiled_.accelerator->packets; }
+    /// One ray after another, and in packets where there are some.
+    std::vector<std::string> shadow_stages() const;
 
     /// Sums of what the last call's work-items counted.
     const Tally &tally() const { return tally_; }

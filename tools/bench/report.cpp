@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scene/accelerators/accelerator.h"
 #include "tools/median.h"
 #include "tools/provenance.h"
 #include "tools/report.h"
@@ -80,7 +81,7 @@ json bench_subject(const Job &job, uint batch) {
             {"device", job.device.info().name},
             {"driver", job.device.info().driver},
             {"compute_units", job.device.info().compute_units},
-            {"accelerator", job.compiled.accelerator},
+            {"accelerator", job.compiled.accelerator->name},
             {"width", window.width()},
             {"height", window.height()},
             {"spp", film.spp},

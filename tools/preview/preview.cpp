@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "runtime/opencl/seconds_now.h"
+#include "scene/accelerators/accelerator.h"
 #include "scene/tone.h"
 #include "tools/preview/tev.h"
 #include "tools/preview/web.h"
@@ -57,7 +58,7 @@ void Preview::add_step(const WaveStep &step) {
 }
 
 void Preview::begin(const Job &job) {
-    state_.subject.accelerator = job.compiled.accelerator;
+    state_.subject.accelerator = job.compiled.accelerator->name;
     state_.subject.device = job.device.info().name;
     show();
 }

@@ -87,6 +87,7 @@ private:
         const std::string name = kind.name, path = "#include \"kernels/primitives/" + name;
         return {
             {"generated/constants.h", "#define INTERIOR_SIZE 0u\n#define INSTANCES 0\n"},
+            {"generated/work.cl", "#include \"kernels/accelerators/no_work.cl\"\n"},
             {"generated/instances.cl", "#include \"kernels/primitives/no_instance.cl\"\n"},
             {"generated/primitives.cl", "#pragma once\n" + path + ".h\"\n#define FOR_EACH_PRIMITIVE(X) X(0, " + kind.record + ", " + name + ")\n"},
             {"generated/primitive_hits.cl", path + "_hit.cl\"\n"},

@@ -17,10 +17,10 @@ TEST(FindAccelerator, AutoIsTheFirst) {
 
 TEST(FindAccelerator, AnUnknownNameListsTheKnownOnes) {
     try {
-        find_accelerator("kd_tree");
+        find_accelerator("kd_trie");
         FAIL();
     } catch (const SceneError &error) {
-        EXPECT_STREQ(error.what(), "accelerator \"kd_tree\" is not known; known are: auto, wide_bvh, none");
+        EXPECT_STREQ(error.what(), "accelerator \"kd_trie\" is not known; known are: auto, wide_bvh, uniform_grid, none");
     }
 }
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "scene/accelerators/accelerator.h"
+#include "tests/support/accelerators.h"
 
 namespace brandung {
 namespace {
@@ -11,7 +11,7 @@ BuiltAccelerator build(const std::string &kinds) {
     for (const char letter : kinds) {
         references.push_back({{vec3(0), vec3(1)}, uint(letter - 'a')});
     }
-    return find_accelerator("none").build(references);
+    return build_accelerator("none", references);
 }
 
 std::vector<std::vector<uint>> blocks_of(const BuiltAccelerator &built, uint kind) {

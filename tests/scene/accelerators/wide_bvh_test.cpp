@@ -10,14 +10,14 @@
 #include <functional>
 #include <random>
 
-#include "scene/accelerators/accelerator.h"
+#include "tests/support/accelerators.h"
 
 namespace brandung {
 namespace {
 
 using References = std::vector<Reference>;
 
-BuiltAccelerator build(const References &references) { return find_accelerator("wide_bvh").build(references); }
+BuiltAccelerator build(const References &references) { return build_accelerator("wide_bvh", references); }
 
 std::vector<BvhNode> nodes_of(const BuiltAccelerator &built) {
     std::vector<BvhNode> nodes(built.node_count);

@@ -1,0 +1,3 @@
+// With everything, for lint and editors.
+#pragma once
+#include "kernels/accelerators/packet_two_levels.cl"

@@ -1,0 +1,3 @@
+// As in renders, for lint and editors.
+#pragma once
+#include "kernels/accelerators/no_work.cl"

@@ -1,0 +1,15 @@
+/// Accelerators built while nobody watches.
+#pragma once
+#include <string>
+
+#include "scene/accelerators/accelerator.h"
+
+namespace brandung {
+
+inline BuildProgress unwatched;
+
+inline BuiltAccelerator build_accelerator(const std::string &name, std::span<const Reference> references) {
+    return find_accelerator(name).build(references, unwatched);
+}
+
+}  // namespace brandung
