@@ -14,7 +14,6 @@ namespace brandung {
 
 Ray make_ray(vec3 origin, vec3 direction, float t_max = std::numeric_limits<float>::infinity(), uint kind = RAY_CAMERA);
 
-
 class TracedScene {
 public:
     /// Sets the scene's accelerator.
