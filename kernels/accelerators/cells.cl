@@ -17,7 +17,9 @@ static void LEVEL(closest_hit)(Scene scene, const global Group *group, ray_x8 *r
     mailbox_empty(&mailbox);
     CellWalk walk;
     cell_walk_begin(&walk, CELL_SPANS, ray);
-    for (uint i = cell_walk_next(&walk, ray); i != NO_ITEMS; i = cell_walk_next(&walk, ray)) {
+    for (;;) {
+        uint i = cell_walk_next(&walk, ray);
+        if (i == NO_ITEMS) return;
         for (;; ++i) {
             const uint item = items[i] & ~ITEM_LAST;
             COUNT_LISTED(i);
@@ -34,7 +36,9 @@ static bool LEVEL(any_hit)(Scene scene, const global Group *group, const ray_x8 
     mailbox_empty(&mailbox);
     CellWalk walk;
     cell_walk_begin(&walk, CELL_SPANS, ray);
-    for (uint i = cell_walk_next(&walk, ray); i != NO_ITEMS; i = cell_walk_next(&walk, ray)) {
+    for (;;) {
+        uint i = cell_walk_next(&walk, ray);
+        if (i == NO_ITEMS) return false;
         for (;; ++i) {
             const uint item = items[i] & ~ITEM_LAST;
             COUNT_LISTED(i);
@@ -42,7 +46,6 @@ static bool LEVEL(any_hit)(Scene scene, const global Group *group, const ray_x8 
             if (item != items[i]) break;
         }
     }
-    return false;
 }
 #undef COUNT_LISTED
 #undef CELL_WORDS
