@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "scene/accelerators/accelerator.h"
 #include "scene/error.h"
 #include "scene/formats/limits.h"
 #include "scene/meshes/default_view.h"
@@ -102,6 +103,12 @@ ViewChanges view_changes(const SceneOptions &options) {
     return changes;
 }
 
+std::string names_of_accelerators() {
+    std::vector<const char *> names;
+    for (const AcceleratorKind &kind : accelerator_kinds()) names.push_back(kind.name);
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 void add_settings(CLI::App &command, SceneOptions &options) {
     command.option_defaults()->group("Scene");
     command.add_option("scene", options.scene, "scene file: .json (native), .nff, or a mesh: .obj, .ply")->required();
@@ -111,7 +118,7 @@ void add_settings(CLI::App &command, SceneOptions &options) {
                     "as in JSON")
         ->expected(1)
         ->take_all();
-    command.add_option("--accelerator", options.accelerator, "wide_bvh, none or auto (default: the scene's)");
+    command.add_option("--accelerator", options.accelerator, fmt::format("{} or auto (default: the scene's)", names_of_accelerators()));
 }
 
 void add_picture_options(CLI::App &command, SceneOptions &options) {
