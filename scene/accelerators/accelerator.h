@@ -9,6 +9,7 @@
 #include "kernels/core/scene.h"
 #include "scene/accelerators/build_progress.h"
 #include "scene/bounds.h"
+#include "scene/primitives/hull.h"
 
 namespace brandung {
 
@@ -30,12 +31,15 @@ struct BuiltAccelerator {
     uint node_count = 0;
 };
 
+/// The hull of a reference, for those who look closer than boxes.
+using Hulls = std::function<Hull(uint reference)>;
+
 /// `kernels/accelerators/<file>.cl` traverses what `build` makes; with `packets`, <file>_packets.cl does so with packets of rays.
 struct AcceleratorKind {
     const char *name, *file;
     bool packets;
     /// The same for any number of threads. Throws SceneError where it cannot hold that many.
-    BuiltAccelerator (*build)(std::span<const Reference> references, BuildProgress &progress);
+    BuiltAccelerator (*build)(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress);
 };
 const std::vector<AcceleratorKind> &accelerator_kinds();
 /// Throws SceneError with the list of names. "auto" is the default accelerator.

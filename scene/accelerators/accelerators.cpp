@@ -6,16 +6,18 @@
 
 namespace brandung {
 
-BuiltAccelerator build_wide_bvh(std::span<const Reference> references, BuildProgress &progress);
-BuiltAccelerator build_uniform_grid(std::span<const Reference> references, BuildProgress &progress);
-BuiltAccelerator build_octree(std::span<const Reference> references, BuildProgress &progress);
-BuiltAccelerator build_none(std::span<const Reference> references, BuildProgress &progress);
+BuiltAccelerator build_wide_bvh(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress);
+BuiltAccelerator build_uniform_grid(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress);
+BuiltAccelerator build_octree(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress);
+BuiltAccelerator build_bounding_volumes(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress);
+BuiltAccelerator build_none(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress);
 
 const std::vector<AcceleratorKind> &accelerator_kinds() {
     static const std::vector<AcceleratorKind> kinds = {
         {"wide_bvh", "wide_bvh", true, build_wide_bvh},  // the default
         {"uniform_grid", "uniform_grid", false, build_uniform_grid},
         {"octree", "octree", false, build_octree},
+        {"bounding_volumes", "bounding_volumes", false, build_bounding_volumes},
         {"none", "none", true, build_none},
     };
     return kinds;

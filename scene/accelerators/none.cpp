@@ -4,7 +4,7 @@
 namespace brandung {
 
 /// Blocks in scene order, each of consecutive references of one kind.
-BuiltAccelerator build_none(std::span<const Reference> references, BuildProgress &) {
+BuiltAccelerator build_none(std::span<const Reference> references, const Hulls &, BuildProgress &) {
     BuiltAccelerator accelerator;
     uint previous_kind = MAX_PRIMITIVE_KINDS;
     for (uint i = 0; i < references.size(); ++i) {

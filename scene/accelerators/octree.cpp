@@ -155,7 +155,7 @@ uint flatten(const OctreeCell &cell, Flattened &flat) {
 
 }  // namespace
 
-BuiltAccelerator build_octree(std::span<const Reference> references, BuildProgress &progress) {
+BuiltAccelerator build_octree(std::span<const Reference> references, const Hulls &, BuildProgress &progress) {
     progress.begin(std::uint64_t(2 * references.size()));
     const Octree octree = octree_around(references);
     std::vector<UnitBox> boxes(references.size());

@@ -133,7 +133,7 @@ Cells fill_cells(const UniformGrid &grid, const std::vector<CellRange> &ranges, 
 
 }  // namespace
 
-BuiltAccelerator build_uniform_grid(std::span<const Reference> references, BuildProgress &progress) {
+BuiltAccelerator build_uniform_grid(std::span<const Reference> references, const Hulls &, BuildProgress &progress) {
     progress.begin(references.size());
     const Bounds bounds = bounds_of(references);
     for (double cells = cells_per_reference * double(std::max<std::size_t>(references.size(), 1));; cells = std::floor(cells / 8)) {

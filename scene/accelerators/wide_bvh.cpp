@@ -175,7 +175,7 @@ BuiltAccelerator build_empty(BuildProgress &progress) {
 
 }  // namespace
 
-BuiltAccelerator build_wide_bvh(std::span<const Reference> references, BuildProgress &progress) {
+BuiltAccelerator build_wide_bvh(std::span<const Reference> references, const Hulls &, BuildProgress &progress) {
     if (references.empty()) return build_empty(progress);
     progress.begin(2 * references.size());  // the binary tree, then its collapse
     // Only nests of boxes that grow without end make the first tree too deep.

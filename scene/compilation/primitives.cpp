@@ -103,7 +103,10 @@ Group add_space(const Scene &scene, const Space &space, bool is_world, const Wat
     const auto start = std::chrono::steady_clock::now();
     const AcceleratorKind &kind = *compiled.accelerator;
     BuildProgress progress = watch ? BuildProgress([&](double part) { watch(kind, part); }) : BuildProgress();
-    const BuiltAccelerator built = kind.build(references, progress);
+    const Hulls hulls = [&](uint i) {
+        return i < space.primitives.size() ? space.primitives[i].shape->hull(space.primitives[i].i) : hull_of_box(references[i].bounds);
+    };
+    const BuiltAccelerator built = kind.build(references, hulls, progress);
     compiled.accelerator_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     Group group{};

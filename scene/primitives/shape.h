@@ -10,6 +10,7 @@
 #include "kernels/lights/emission.h"
 #include "kernels/primitives/smooth_triangle.h"
 #include "scene/bounds.h"
+#include "scene/primitives/hull.h"
 
 namespace brandung {
 
@@ -54,6 +55,8 @@ public:
     virtual std::size_t count() const { return 1; }
     /// A box around primitive i that contains the one which the kernels derive from its block.
     virtual Bounds bounds(std::size_t i) const = 0;
+    /// Holds primitive i, but for rounding.
+    virtual Hull hull(std::size_t i) const = 0;
     /// Writes primitive i, without its number, to lane `lane` of a block of block_bytes.
     virtual void write_lane(std::size_t i, uint lane, std::byte *block) const = 0;
     /// Writes primitive i's view of ShadingRecord.words (at most 56 bytes).

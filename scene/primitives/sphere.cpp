@@ -27,6 +27,12 @@ public:
         return {center_ - r, center_ + r};
     }
 
+    Hull hull(std::size_t) const override {
+        Hull hull;
+        hull.add({.center = center_, .radius = std::abs(radius_)});
+        return hull;
+    }
+
     void write_lane(std::size_t, uint lane, std::byte *block) const override {
         SphereBlock &spheres = *reinterpret_cast<SphereBlock *>(block);
         spheres.x[lane] = center_.x, spheres.y[lane] = center_.y, spheres.z[lane] = center_.z;

@@ -41,6 +41,12 @@ public:
         return bounds;
     }
 
+    Hull hull(std::size_t i) const override {
+        Hull hull;
+        for (uint k = 0; k < 3; ++k) hull.add({.center = position(i, k)});
+        return hull;
+    }
+
     void write_lane(std::size_t i, uint lane, std::byte *block) const override {
         TriangleBlock &triangles = *reinterpret_cast<TriangleBlock *>(block);
         for (int axis = 0; axis < 3; ++axis) {
