@@ -9,6 +9,8 @@ namespace brandung {
 BuiltAccelerator build_wide_bvh(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress);
 BuiltAccelerator build_uniform_grid(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress);
 BuiltAccelerator build_octree(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress);
+BuiltAccelerator build_kd_tree(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress);
+BuiltAccelerator build_kd_tree_median(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress);
 BuiltAccelerator build_bounding_volumes(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress);
 BuiltAccelerator build_none(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress);
 
@@ -17,6 +19,8 @@ const std::vector<AcceleratorKind> &accelerator_kinds() {
         {"wide_bvh", "wide_bvh", true, build_wide_bvh},  // the default
         {"uniform_grid", "uniform_grid", false, build_uniform_grid},
         {"octree", "octree", false, build_octree},
+        {"kd_tree", "kd_tree", false, build_kd_tree},
+        {"kd_tree_median", "kd_tree", false, build_kd_tree_median},
         {"bounding_volumes", "bounding_volumes", false, build_bounding_volumes},
         {"none", "none", true, build_none},
     };

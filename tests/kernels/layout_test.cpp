@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "kernels/accelerators/kd_tree.h"
 #include "kernels/accelerators/wide_bvh.h"
 #include "kernels/bsdfs/bsdf.h"
 #include "kernels/bsdfs/whitted.h"
@@ -99,6 +100,8 @@ const Layouts &host_layouts() {
         RECORD(Transform, x, y, z, origin),
         RECORD(Instance, to_world, to_group, group, material, spare),
         RECORD(InstanceBlock, primitive, low, high),
+        RECORD(KdNode, plane, word),
+        RECORD(KdTree, spans, low, high),
         RECORD(BvhNode, low, high, child, spare),
         RECORD(Whitted, ambient, diffuse, specular, reflection, transmission, exponent, fresnel),
         RECORD(Phong, diffuse, specular, exponent),

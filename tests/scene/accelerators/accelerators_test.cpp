@@ -20,7 +20,9 @@ TEST(FindAccelerator, AnUnknownNameListsTheKnownOnes) {
         find_accelerator("kd_trie");
         FAIL();
     } catch (const SceneError &error) {
-        EXPECT_STREQ(error.what(), "accelerator \"kd_trie\" is not known; known are: auto, wide_bvh, uniform_grid, octree, bounding_volumes, none");
+        EXPECT_STREQ(
+            error.what(),
+            "accelerator \"kd_trie\" is not known; known are: auto, wide_bvh, uniform_grid, octree, kd_tree, kd_tree_median, bounding_volumes, none");
     }
 }
 

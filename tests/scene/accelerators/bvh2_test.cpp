@@ -7,14 +7,13 @@
 #include <random>
 
 #include "tests/support/accelerators.h"
+#include "tests/support/references.h"
 
 namespace brandung {
 namespace {
 
-using References = std::vector<Reference>;
-
 /// Denser and smaller toward a corner: areas tell that, counts don't.
-References random_boxes(uint count) {
+References crowded_boxes(uint count) {
     std::mt19937 random(1);
     std::uniform_real_distribution<float> unit(0, 1);
     References references(count);
@@ -22,15 +21,6 @@ References random_boxes(uint count) {
         const float scale = std::pow(unit(random), 4.0f);
         const vec3 low = scale * vec3(unit(random), unit(random), unit(random));
         references[i] = {{low, low + vec3(0.1f * scale)}, 0};
-    }
-    return references;
-}
-
-/// Boxes with a corner in common, each a little larger than the last: SAH takes them off one by one.
-References nest(uint count) {
-    References references;
-    for (uint i = 0; i < count; ++i) {
-        references.push_back({{vec3(0), vec3(std::exp2(0.05f * float(i) - 50))}, 0});
     }
     return references;
 }
@@ -65,13 +55,13 @@ double median_cost_of(std::span<Reference> references) {
 }
 
 TEST(Bvh2, CostsLessThanHalvesAtTheMedian) {
-    References references = random_boxes(16'384);  // a power of two, with which halves have full blocks
+    References references = crowded_boxes(16'384);  // a power of two, with which halves have full blocks
     const double cost = cost_of(build_bvh2(references, 16, unwatched), 0);
     EXPECT_LT(cost, 0.93 * median_cost_of(references));  // measured: 0.88
 }
 
 TEST(Bvh2, SplitsWhereThereIsNothing) {
-    References references = random_boxes(16'384);
+    References references = crowded_boxes(16'384);
     for (uint i = 0; i < 1'000; ++i) references[i].bounds = {references[i].bounds.low + vec3(5), references[i].bounds.high + vec3(5)};
     const Bvh2 tree = build_bvh2(references, 16, unwatched);
     EXPECT_EQ(tree.nodes[tree.nodes[0].children].count, 15'384u);
@@ -86,7 +76,7 @@ TEST(Bvh2, IsNoDeeperThanAllowed) {
 }
 
 TEST(Bvh2, HasParentsBeforeTheirChildrenAndRangesThatAddUp) {
-    const Bvh2 tree = build_bvh2(random_boxes(20'000), 16, unwatched);
+    const Bvh2 tree = build_bvh2(crowded_boxes(20'000), 16, unwatched);
     for (uint i = 0; i < tree.node_count; ++i) {
         const Bvh2Node &node = tree.nodes[i];
         if (node.children == 0) {
