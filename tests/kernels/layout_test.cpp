@@ -9,8 +9,12 @@
 #include <set>
 #include <sstream>
 
+#include "kernels/accelerators/bounding_volumes.h"
 #include "kernels/accelerators/kd_tree.h"
+#include "kernels/accelerators/octree.h"
+#include "kernels/accelerators/uniform_grid.h"
 #include "kernels/accelerators/wide_bvh.h"
+#include "kernels/accelerators/work.h"
 #include "kernels/bsdfs/bsdf.h"
 #include "kernels/bsdfs/whitted.h"
 #include "kernels/core/items.h"
@@ -100,8 +104,16 @@ const Layouts &host_layouts() {
         RECORD(Transform, x, y, z, origin),
         RECORD(Instance, to_world, to_group, group, material, spare),
         RECORD(InstanceBlock, primitive, low, high),
+        RECORD(CellSpans, cells, items, lanes),
+        RECORD(UniformGrid, spans, low, size, columns),
+        RECORD(OctreeNode, child),
+        RECORD(Octree, spans, low, unit),
         RECORD(KdNode, plane, word),
         RECORD(KdTree, spans, low, high),
+        RECORD(VolumeNode, low, high, children, volume),
+        RECORD(Volume, words),
+        RECORD(VolumeTree, node_count, spare),
+        RECORD(Work, steps, cells, empty_cells, listed, blocks, tests, missed, idle, served),
         RECORD(BvhNode, low, high, child, spare),
         RECORD(Whitted, ambient, diffuse, specular, reflection, transmission, exponent, fresnel),
         RECORD(Phong, diffuse, specular, exponent),
