@@ -8,15 +8,7 @@
 
 /// Where the ray enters the node, never negative; infinite if it misses the node's box before its t_max, or the volume in it.
 FUNCTION float LEVEL(enter)(const global VolumeNode *node, const global Volume *volumes, const ray_x8 *ray, Line line) {
-#define SLAB(x)                                                                     \
-    const float low_##x = fma(node->low.x, ray->inverse.x.s0, ray->shift_low.x.s0), \
-                high_##x = fma(node->high.x, ray->inverse.x.s0, ray->shift_high.x.s0)
-    SLAB(x);
-    SLAB(y);
-    SLAB(z);
-#undef SLAB
-    const Stretch stretch = {maximum(minimum(low_x, high_x), maximum(minimum(low_y, high_y), minimum(low_z, high_z))),
-                             minimum(maximum(low_x, high_x), minimum(maximum(low_y, high_y), maximum(low_z, high_z)))};
+    const Stretch stretch = stretch_in_box(node->low, node->high, ray);
     const float enter = maximum(stretch.near, 0.0f);
     const bool meets = enter <= minimum(stretch.far, ray->t_max.s0) &&
                        meets_volume(node->volume & 7u, volumes + (node->volume >> VOLUME_PLACE_SHIFT), line, stretch);

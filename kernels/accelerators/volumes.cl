@@ -11,6 +11,19 @@ typedef struct {
     float near, far;
 } Stretch;
 
+/// Where the line is in a box grown by the ray's pad: as within_box() in lane_ray.cl.
+FUNCTION Stretch stretch_in_box(vec3 low, vec3 high, const ray_x8 *ray) {
+#define SLAB(x) \
+    const float low_##x = fma(low.x, ray->inverse.x.s0, ray->shift_low.x.s0), high_##x = fma(high.x, ray->inverse.x.s0, ray->shift_high.x.s0)
+    SLAB(x);
+    SLAB(y);
+    SLAB(z);
+#undef SLAB
+    const Stretch stretch = {maximum(minimum(low_x, high_x), maximum(minimum(low_y, high_y), minimum(low_z, high_z))),
+                             minimum(maximum(low_x, high_x), minimum(maximum(low_y, high_y), maximum(low_z, high_z)))};
+    return stretch;
+}
+
 /// One ray as the volumes' tests need it.
 typedef struct {
     vec3 origin, direction;

@@ -55,7 +55,7 @@ Octree octree_around(std::span<const Reference> references) {
     float side = FLT_MIN * float(OCTREE_UNITS);
     for (int axis = 0; axis < 3; ++axis) {
         side = std::max(side, bounds.high[axis] - bounds.low[axis]);
-        while (bounds.low[axis] + side < bounds.high[axis]) side = std::nextafter(side, FLT_MAX);
+        while (double(bounds.low[axis]) + side < bounds.high[axis]) side = std::nextafter(side, FLT_MAX);
     }
     octree.unit = side / float(OCTREE_UNITS);
     return octree;

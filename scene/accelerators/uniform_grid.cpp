@@ -48,7 +48,7 @@ std::array<double, 3> columns_for(glm::dvec3 extent, double cells) {
 /// The last plane lies on the box's upper side or beyond, however it is rounded.
 float cell_size(float low, float high, uint columns) {
     float size = std::max((high - low) / float(columns), FLT_MIN);
-    while (low + float(columns) * size < high) size = std::nextafter(size, FLT_MAX);
+    while (low + float(columns) * size < high && size < FLT_MAX) size = std::nextafter(size, FLT_MAX);
     return size;
 }
 

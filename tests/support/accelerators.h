@@ -9,7 +9,8 @@ namespace brandung {
 inline BuildProgress unwatched;
 
 inline BuiltAccelerator build_accelerator(const std::string &name, std::span<const Reference> references) {
-    return find_accelerator(name).build(references, [&](uint i) { return hull_of_box(references[i].bounds); }, unwatched);
+    return find_accelerator(name).build(
+        references, [&](uint i) { return hull_of_box(references[i].bounds); }, unwatched);
 }
 
 }  // namespace brandung
