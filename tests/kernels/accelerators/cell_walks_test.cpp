@@ -95,8 +95,12 @@ float extent_of(const Bounds &box) {
     return std::max({most.x, most.y, most.z});
 }
 
-/// The test of kernels/core/lane_ray.cl, grown by further pads: whether the ray meets the box before t_max.
-bool meets(const Ray &ray, const Bounds &box, float extent, double further) {
+struct Stretch {
+    float near, far;
+};
+
+/// The test of kernels/core/lane_ray.cl, grown by further pads: where the ray is in the box before t_max.
+Stretch stretch_in(const Ray &ray, const Bounds &box, float extent, double further) {
     const vec3 o = glm::abs(ray.origin), d = glm::abs(ray.direction);
     const float pad = 0x1p-20f * (std::max({o.x, o.y, o.z}) + extent), grown = pad * float(1 + further);
     const float tiny = 0x1p-60f * std::max({d.x, d.y, d.z});
@@ -107,7 +111,12 @@ bool meets(const Ray &ray, const Bounds &box, float extent, double further) {
         const float a = std::fma(box.low[axis], inverse, shift_low), b = std::fma(box.high[axis], inverse, shift_high);
         near = std::max(near, std::min(a, b)), far = std::min(far, std::max(a, b));
     }
-    return near <= far;
+    return {near, far};
+}
+
+bool meets(const Ray &ray, const Bounds &box, float extent, double further) {
+    const Stretch stretch = stretch_in(ray, box, extent, further);
+    return stretch.near <= stretch.far;
 }
 
 /// Where a plane, a corner or an edge of a cell is; or anywhere near.
@@ -121,7 +130,7 @@ vec3 place_in(const CellsUnderTest &under_test, Random &random) {
     return p;
 }
 
-/// From, through and along planes, edges and corners; some end in a plane of cells, as exactly as floats can say.
+/// From, through and along planes, edges and corners; some end where they enter a cell, to the bit.
 std::vector<Ray> rays_for(const CellsUnderTest &under_test) {
     Random random(4);
     std::vector<Ray> rays;
@@ -133,7 +142,10 @@ std::vector<Ray> rays_for(const CellsUnderTest &under_test) {
         if (direction == vec3(0)) direction = {0, 0, random.below(2) ? 1.0f : -1.0f};
         const float back = random.below(3) == 0 ? 0.0f : random.uniform(0, 3);
         Ray ray = make_ray(through - back * direction, direction);
+        const Bounds &cell = under_test.cells[random.below(uint(under_test.cells.size()))];
         if (random.below(3) == 0) ray.t_max = random.below(2) ? back : random.uniform(0, 4);
+        if (random.below(3) == 0 && meets(ray, cell, extent_of(under_test.whole), 0))
+            ray.t_max = stretch_in(ray, cell, extent_of(under_test.whole), 0).near;
         rays.push_back(ray);
     }
     return rays;
