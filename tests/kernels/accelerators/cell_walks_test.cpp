@@ -8,6 +8,7 @@
 #include <ostream>
 #include <set>
 
+#include "kernels/accelerators/kd_tree.h"
 #include "kernels/accelerators/octree.h"
 #include "kernels/accelerators/uniform_grid.h"
 #include "scene/bounds.h"
@@ -87,6 +88,35 @@ CellsUnderTest octree() {
     const uint root = add_octant(nodes, under_test.cells, under_test.whole, 4, turn);
     std::fill(std::begin(nodes[0].child), std::end(nodes[0].child), root);
     for (const OctreeNode &node : nodes) under_test.append(node);
+    return under_test;
+}
+
+/// Planes anywhere, some twice at one place: what is between them is flat.
+void divide(std::vector<KdNode> &nodes, std::vector<Bounds> &cells, uint place, const Bounds &bounds, uint depth, Random &random) {
+    if (depth == 0) {
+        nodes[place] = {uint(cells.size()), KD_LEAF};
+        cells.push_back(bounds);
+        return;
+    }
+    const int axis = int(random.below(3));
+    const float plane = random.below(6) == 0 ? bounds.low[axis] : random.uniform(bounds.low[axis], bounds.high[axis]);
+    const uint children = uint(nodes.size());
+    nodes.resize(nodes.size() + 2);
+    std::memcpy(&nodes[place].plane, &plane, sizeof plane);
+    nodes[place].word = uint(axis) | children << KD_CHILD_SHIFT;
+    Bounds below = bounds, above = bounds;
+    below.high[axis] = above.low[axis] = plane;
+    divide(nodes, cells, children, below, depth - 1, random), divide(nodes, cells, children + 1, above, depth - 1, random);
+}
+
+CellsUnderTest kd_tree() {
+    CellsUnderTest under_test;
+    under_test.whole = {{-1, 0.25f, -0.7f}, {1.3f, 2, 1.1f}};
+    under_test.append(KdTree{{sizeof(KdTree) / sizeof(uint), 0, 0}, under_test.whole.low, under_test.whole.high});
+    std::vector<KdNode> nodes(2);
+    Random random(2);
+    divide(nodes, under_test.cells, 0, under_test.whole, 6, random);
+    for (const KdNode &node : nodes) under_test.append(node);
     return under_test;
 }
 
@@ -197,7 +227,9 @@ TEST_P(CellWalks, ComeToAllCellsOfTheRayOnce) {
 }
 
 /// The octree's reach is twice the pad and five units, of which a pad here has at least 4; the rounding of an end is at most two of them more.
-INSTANTIATE_TEST_SUITE_P(Accelerators, CellWalks, testing::Values(Structure{"uniform_grid", uniform_grid, 0}, Structure{"octree", octree, 3}),
+INSTANTIATE_TEST_SUITE_P(Accelerators, CellWalks,
+                         testing::Values(Structure{"uniform_grid", uniform_grid, 0}, Structure{"octree", octree, 3},
+                                         Structure{"kd_tree", kd_tree, 0}),
                          [](const auto &info) { return std::string(info.param.name); });
 
 }  // namespace
