@@ -25,15 +25,15 @@ void use_everything(const Scene &scene, CompiledScene &compiled) {
 
 }  // namespace
 
-CompiledScene compile(const Scene &scene, Kinds kinds, const WatchAccelerator &watch) {
+CompiledScene compile(const Scene &scene, const CompileOptions &options) {
     CompiledScene compiled;
     compiled.warnings = scene.warnings;
     compiled.warning_places = scene.warning_places;
     Arena arena(compiled.arena);
-    add_primitives(scene, kinds, watch, compiled, arena);
+    add_primitives(scene, options, compiled, arena);
     add_materials(scene, compiled, arena);
     add_lights(scene, compiled, arena);
-    if (kinds == Kinds::all) use_everything(scene, compiled);
+    if (options.kinds == Kinds::all) use_everything(scene, compiled);
     compiled.filter = scene.film.filter;
     compiled.sampler = scene.film.sampler;
     compiled.header.background = scene.background;

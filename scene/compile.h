@@ -51,10 +51,16 @@ struct CompiledScene {
     std::map<std::string, std::string> warning_places;  ///< of both
 };
 
-/// Is told which part of an accelerator is built, from 0 to 1, now and then.
+/// Is told which part of an accelerator is built, from 0 to 1, now and then, by any thread, but one at a time.
 using WatchAccelerator = std::function<void(const AcceleratorKind &kind, double part)>;
 
+struct CompileOptions {
+    Kinds kinds = Kinds::in_use;
+    const AcceleratorKind *accelerator = nullptr;  ///< null: that which the scene asks for
+    WatchAccelerator watch{};
+};
+
 /// Throws SceneError if the scene is too big, or names an unknown accelerator.
-CompiledScene compile(const Scene &scene, Kinds kinds = Kinds::in_use, const WatchAccelerator &watch = {});
+CompiledScene compile(const Scene &scene, const CompileOptions &options = {});
 
 }  // namespace brandung

@@ -26,7 +26,8 @@ nlohmann::json report_of(const Options &options) {
     const Scene scene = read_scene(options, [&](const std::string &file, double part) { progress.show_reading(file, part); });
     chosen_camera(scene, options.camera);
     integrator_of(scene);
-    const CompiledScene compiled = compile(scene);
+    const auto watch = [&](const AcceleratorKind &kind, double part) { progress.show_building(kind, part); };
+    const CompiledScene compiled = compile(scene, {.watch = watch});
     return {{"file", scene.file},
             {"scene", scene_contents(scene, compiled)},
             {"warnings", compiled.warnings},

@@ -32,7 +32,7 @@ Device select_device(const SceneOptions &options, JobWatch &watch) {
 Job::Job(const Scene &scene, const SceneOptions &options, JobWatch watch, const StopRules &stop)
     : scene(scene),
       camera(chosen_camera(scene, options.camera)),
-      compiled(timed(seconds.scene, [&] { return compile(scene); })),
+      compiled(timed(seconds.scene, [&] { return compile(scene, {.watch = watch.on_accelerator}); })),
       device(timed(seconds.device, [&] { return select_device(options, watch); })),
       distrust(check_trust(device.info(), options.untrusted_device)),
       on_device(timed(seconds.device, [&] { return DeviceScene(device, compiled); })),

@@ -36,6 +36,7 @@ struct JobWatch {
     std::function<void(const Build &)> on_built;
     std::function<void(const Launch &)> on_launch;
     WatchSteps on_step;
+    WatchAccelerator on_accelerator{};
 };
 
 struct Job {

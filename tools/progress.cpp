@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include "scene/accelerators/accelerator.h"
+
 namespace brandung {
 namespace {
 
@@ -55,12 +57,14 @@ void ProgressLine::show(const RenderProgress &progress) {
     std::fflush(stderr);
 }
 
-void ProgressLine::show_reading(const std::string &file, double part) {
+void ProgressLine::show_preparing(const std::string &what, double part) {
     const auto now = std::chrono::steady_clock::now();
     if (now - start_ < std::chrono::seconds(1) || now - shown_ < std::chrono::milliseconds(100)) return;
     shown_ = now;
-    say(fmt::format("reading {}: {:.0f} %", file, 100 * part));
+    say(fmt::format("{}: {:.0f} %", what, 100 * part));
 }
+
+void ProgressLine::show_building(const AcceleratorKind &kind, double part) { show_preparing(fmt::format("building {}", kind.name), part); }
 
 void ProgressLine::clear() {
     if (!quiet_ && terminal_) fmt::print(stderr, "\r\033[K");

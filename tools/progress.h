@@ -7,6 +7,8 @@
 
 namespace brandung {
 
+struct AcceleratorKind;
+
 class ProgressLine {
 public:
     explicit ProgressLine(bool quiet);
@@ -17,8 +19,9 @@ public:
     void show(const RenderProgress &progress);
     /// How far something else is: as often as show(), at once the first time.
     void report(const std::string &what);
-    /// How far a file has been read; nothing within the first second.
-    void show_reading(const std::string &file, double part);
+    /// How far what comes before a render is; nothing within the first second.
+    void show_reading(const std::string &file, double part) { show_preparing("reading " + file, part); }
+    void show_building(const AcceleratorKind &kind, double part);
     /// Clears the line, so that messages can follow.
     void clear();
 
@@ -26,6 +29,7 @@ private:
     bool quiet_, terminal_;
     /// Whether it is time to show something again; then it counts as shown now.
     bool is_due();
+    void show_preparing(const std::string &what, double part);
 
     Pace pace_;
     std::chrono::steady_clock::time_point shown_;

@@ -41,8 +41,9 @@ void check_files(const RenderCommandOptions &options, const Scene &scene) {
 }
 
 /// The preview and the trace look at what a job does, where there are any.
-JobWatch watch_of(Preview &preview, std::optional<Trace> &trace, const std::function<void(const std::string &)> &say) {
+JobWatch watch_of(Preview &preview, std::optional<Trace> &trace, ProgressLine &progress, const std::function<void(const std::string &)> &say) {
     JobWatch watch{.on_build = [&say](const std::string &file) { say("building " + file); }, .on_built = {}, .on_launch = {}, .on_step = {}};
+    watch.on_accelerator = [&progress](const AcceleratorKind &kind, double part) { progress.show_building(kind, part); };
     if (trace) {
         watch.on_built = [&trace](const Build &build) { trace->add(build); };
         watch.on_launch = [&trace](const Launch &launch) { trace->add(launch); };
@@ -77,7 +78,7 @@ int render(const RenderCommandOptions &options) {
     std::optional<Trace> trace;
     if (!options.trace.empty()) trace.emplace(options.trace, "brandung render " + options.scene, start).add_phase("read", start, seconds_now());
     const double prepared = seconds_now();
-    Job job(scene, options, watch_of(preview, trace, say), options.stop);
+    Job job(scene, options, watch_of(preview, trace, progress, say), options.stop);
     preview.begin(job);
     progress.clear();
     print_warnings(options, job);

@@ -11,7 +11,7 @@
 #define VOLUME_SPHERE 1u        ///< center, radius
 #define VOLUME_ELLIPSOID 2u     ///< center, rows of the map that makes it a unit sphere, largest stretch of that map
 #define VOLUME_ORIENTED_BOX 3u  ///< center, three axes, half of the extents along them
-#define VOLUME_DIAGONALS 4u     ///< lowest and highest p·n for n = (1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1): with the box a polytope of 14 sides
+#define VOLUME_DIAGONALS 4u  ///< lowest and highest p·n for n = (1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1): with the box a polytope of 14 sides
 #define VOLUME_KINDS 5u
 #define VOLUME_PLACE_SHIFT 3u  ///< VolumeNode.volume: kind, and above these bits the place among the volumes
 

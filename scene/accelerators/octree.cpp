@@ -90,7 +90,7 @@ private:
         auto cell = std::make_unique<OctreeCell>();
         std::array<std::vector<uint>, 8> parts;
         if (depth == OCTREE_DEPTH || members.size() < 2 || !divide(cube, members, entries, parts)) {
-            progress_.add(members.size());
+            progress_.add(std::uint64_t(entries));  // the cell's share of the work, too
             cell->members = std::move(members);
             return cell;
         }
@@ -156,7 +156,7 @@ uint flatten(const OctreeCell &cell, Flattened &flat) {
 }  // namespace
 
 BuiltAccelerator build_octree(std::span<const Reference> references, const Hulls &, BuildProgress &progress) {
-    progress.begin(std::uint64_t(2 * references.size()));
+    progress.begin(std::uint64_t(most_per_reference * double(references.size())));
     const Octree octree = octree_around(references);
     std::vector<UnitBox> boxes(references.size());
     tbb::parallel_for(std::size_t(0), references.size(), [&](std::size_t i) { boxes[i] = in_units(octree, references[i].bounds); });

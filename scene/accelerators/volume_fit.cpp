@@ -197,21 +197,35 @@ double radical_inverse(uint i, uint base) {
     return result;
 }
 
+/// What line i of every box is made of: numbers from 0 to 1, but for the two of a direction across the side where it enters.
+struct LineNumbers {
+    double side, u, v, cosine, across_b, across_c;
+    bool upper;
+};
+
 /// Uniform lines through a convex body enter it evenly over its surface, at cosine-distributed angles (Santaló, Integral Geometry, 1976).
-Line line_into(const Bounds &box, uint i) {
+std::array<LineNumbers, lines_per_box> make_line_numbers() {
+    std::array<LineNumbers, lines_per_box> numbers;
+    for (uint i = 0; i < lines_per_box; ++i) {
+        const double angle = 2 * M_PI * radical_inverse(i, 3), sine_squared = radical_inverse(i, 5), sine = std::sqrt(sine_squared);
+        numbers[i] = {(i + 0.5) / lines_per_box, radical_inverse(i, 7),  radical_inverse(i, 11),      std::sqrt(1 - sine_squared),
+                      sine * std::cos(angle),    sine * std::sin(angle), radical_inverse(i, 2) >= 0.5};
+    }
+    return numbers;
+}
+
+Line line_into(const Bounds &box, const LineNumbers &numbers) {
     const Vector low(box.low), size = glm::max(Vector(box.high) - low, Vector(1e-30));
     const Vector areas(size.y * size.z, size.z * size.x, size.x * size.y);
-    double choice = (i + 0.5) / lines_per_box * (areas.x + areas.y + areas.z);
+    double choice = numbers.side * (areas.x + areas.y + areas.z);
     int axis = 0;
     while (axis < 2 && choice >= areas[axis]) choice -= areas[axis++];
-    const bool upper = radical_inverse(i, 2) >= 0.5;
-    const double angle = 2 * M_PI * radical_inverse(i, 3), sine_squared = radical_inverse(i, 5), sine = std::sqrt(sine_squared);
     const int b = (axis + 1) % 3, c = (axis + 2) % 3;
     Line line;
-    line.direction[axis] = std::sqrt(1 - sine_squared) * (upper ? -1 : 1);
-    line.direction[b] = sine * std::cos(angle), line.direction[c] = sine * std::sin(angle);
-    line.origin[axis] = low[axis] + (upper ? size[axis] : 0);
-    line.origin[b] = low[b] + size[b] * radical_inverse(i, 7), line.origin[c] = low[c] + size[c] * radical_inverse(i, 11);
+    line.direction[axis] = numbers.upper ? -numbers.cosine : numbers.cosine;
+    line.direction[b] = numbers.across_b, line.direction[c] = numbers.across_c;
+    line.origin[axis] = low[axis] + (numbers.upper ? size[axis] : 0);
+    line.origin[b] = low[b] + size[b] * numbers.u, line.origin[c] = low[c] + size[c] * numbers.v;
     return line;
 }
 
@@ -231,9 +245,10 @@ Volume fit_volume(uint kind, std::span<const HullPart> parts) {
 }
 
 double part_of_lines(uint kind, const Volume &volume, const Bounds &box) {
+    static const std::array<LineNumbers, lines_per_box> all = make_line_numbers();
     uint met = 0;
-    for (uint i = 0; i < lines_per_box; ++i) {
-        const Line line = line_into(box, i);
+    for (const LineNumbers &numbers : all) {
+        const Line line = line_into(box, numbers);
         Stretch stretch;
         for (int axis = 0; axis < 3; ++axis) stretch.cut(box.low[axis], box.high[axis], line.origin[axis], line.direction[axis]);
         met += meets(kind, volume, line, stretch);

@@ -9,7 +9,7 @@
 namespace brandung {
 
 /// Primitives, their accelerators, and instances. Throws SceneError.
-void add_primitives(const Scene &scene, Kinds kinds, const WatchAccelerator &watch, CompiledScene &compiled, Arena &arena);
+void add_primitives(const Scene &scene, const CompileOptions &options, CompiledScene &compiled, Arena &arena);
 /// And textures. Follows add_primitives().
 void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena);
 /// Follows add_materials().

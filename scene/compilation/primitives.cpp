@@ -139,16 +139,16 @@ void add_instances(const Scene &scene, const std::vector<Group> &groups, Compile
 
 }  // namespace
 
-void add_primitives(const Scene &scene, Kinds kinds, const WatchAccelerator &watch, CompiledScene &compiled, Arena &arena) {
+void add_primitives(const Scene &scene, const CompileOptions &options, CompiledScene &compiled, Arena &arena) {
     const std::vector<Space> spaces = spaces_in_use(scene);
-    compiled.accelerator = &find_accelerator(scene.accelerator);
-    compiled.primitives = kinds == Kinds::all ? primitive_kinds() : primitive_kinds_in_use(scene);
-    compiled.instances = kinds == Kinds::all || !scene.instances.empty();
+    compiled.accelerator = options.accelerator ? options.accelerator : &find_accelerator(scene.accelerator);
+    compiled.primitives = options.kinds == Kinds::all ? primitive_kinds() : primitive_kinds_in_use(scene);
+    compiled.instances = options.kinds == Kinds::all || !scene.instances.empty();
     if (compiled.primitives.size() + (compiled.instances ? 1 : 0) > MAX_PRIMITIVE_KINDS)
         throw SceneError(scene.file + ": too many kinds of primitives in one scene");
-    compiled.header.world = add_space(scene, spaces.front(), true, watch, compiled, arena);
+    compiled.header.world = add_space(scene, spaces.front(), true, options.watch, compiled, arena);
     std::vector<Group> groups;
-    for (std::size_t g = 1; g < spaces.size(); ++g) groups.push_back(add_space(scene, spaces[g], false, watch, compiled, arena));
+    for (std::size_t g = 1; g < spaces.size(); ++g) groups.push_back(add_space(scene, spaces[g], false, options.watch, compiled, arena));
     add_shading(scene, spaces, compiled, arena);
     if (compiled.instances) add_instances(scene, groups, compiled, arena);
 }

@@ -51,7 +51,7 @@ TEST(Compile, KeepsTheScenesWarnings) {
 
 /// So that one set of kernels suits every scene.
 TEST(Compile, ForAllKindsNothingDependsOnWhatTheSceneHas) {
-    const CompiledScene compiled = compile(Scene(), Kinds::all);
+    const CompiledScene compiled = compile(Scene(), {.kinds = Kinds::all});
     EXPECT_EQ(compiled.primitives, primitive_kinds());
     EXPECT_EQ(compiled.bsdfs.size(), bsdf_kinds().size());
     EXPECT_EQ(compiled.lights.size(), light_kinds().size());

@@ -12,7 +12,7 @@ __int128 squares_of(const FilmPixel &pixel, std::size_t c) { return value_of(pix
 
 Rendering render_scene(const Scene &scene, const RenderOptions &options, Kinds kinds) {
     Device &device = test_device();
-    const CompiledScene compiled = compile(scene, kinds);
+    const CompiledScene compiled = compile(scene, {.kinds = kinds});
     const DeviceScene on_device(device, compiled);
     Film film(device, scene.film.window());
     Renderer renderer(device, scene, compiled, on_device, scene.cameras.at(0), options);
