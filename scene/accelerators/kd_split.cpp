@@ -5,15 +5,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <vector>
+
+#include "kernels/core/scene.h"
 
 namespace brandung {
 namespace {
 
 using References = std::span<const KdReference>;
 
-constexpr double empty_factor = 0.8;  ///< on the price of what a ray meets, where empty space is cut off
-constexpr std::size_t few = 64;       ///< references of a node for which all sides of boxes are tried
+// In steps from node to node; so the SPD's scenes are traced fastest.
+constexpr double list_cost = 2, reference_cost = 0.7;
+constexpr double part_of_cost = 0.8;     ///< that counts where empty space is cut off
+constexpr std::size_t exact_below = 65;  ///< references of a node for which all sides of boxes are tried
 constexpr uint bins = 32;
 constexpr std::size_t grain = 16384;  ///< references of a task
 
@@ -29,8 +34,9 @@ public:
 
     bool is_inside(float plane) const { return low_ < plane && plane < high_; }
     double of(float plane, std::size_t below, std::size_t above) const {
-        const double blocks = half_area(plane - low_ + pad_) / whole_ * double(below) + half_area(high_ - plane + pad_) / whole_ * double(above);
-        return 1 + kd_block_cost * blocks * (below == 0 || above == 0 ? empty_factor : 1);
+        const double sum =
+            half_area(plane - low_ + pad_) / whole_ * kd_leaf_cost(below) + half_area(high_ - plane + pad_) / whole_ * kd_leaf_cost(above);
+        return 1 + sum * (below == 0 || above == 0 ? part_of_cost : 1);
     }
     float plane_at(double part) const { return float(low_ + (high_ - low_) * part); }
 
@@ -81,8 +87,8 @@ struct Counts {
     }
 };
 
-Counts count(References references, const Bounds &box, double pad) {
-    const glm::dvec3 low = box.low, scale = double(bins) / (glm::dvec3(box.high) - low + pad);
+Counts count(References references, const Bounds &box) {
+    const glm::dvec3 low = box.low, scale = double(bins) / (glm::dvec3(box.high) - low + DBL_MIN);
     const auto count_piece = [&](const tbb::blocked_range<std::size_t> &piece, Counts sum) {
         const auto bin = [&](float p, int axis) { return uint(std::clamp((p - low[axis]) * scale[axis], 0.0, bins - 1.0)); };
         for (const KdReference &reference : references.subspan(piece.begin(), piece.size())) {
@@ -103,7 +109,7 @@ Counts count(References references, const Bounds &box, double pad) {
 
 /// Planes between bins, and those that cut off empty space.
 void try_bins(References references, const Bounds &box, double pad, Best &best) {
-    const Counts counts = count(references, box, pad);
+    const Counts counts = count(references, box);
     const std::size_t n = references.size();
     for (int axis = 0; axis < 3; ++axis) {
         const AxisCosts costs(box, axis, pad);
@@ -137,9 +143,11 @@ float median(References references, const Bounds &box, int axis) {
 
 }  // namespace
 
+double kd_leaf_cost(std::size_t references) { return references == 0 ? 0 : list_cost + reference_cost * double(references); }
+
 KdSplit cheapest_split(References references, const Bounds &box, double pad) {
-    Best best{.split = {}, .cost = kd_block_cost * double(references.size())};
-    if (references.size() <= few)
+    Best best{.split = {}, .cost = kd_leaf_cost(references.size())};
+    if (references.size() < exact_below)
         try_all_sides(references, box, pad, best);
     else
         try_bins(references, box, pad, best);
@@ -147,7 +155,7 @@ KdSplit cheapest_split(References references, const Bounds &box, double pad) {
 }
 
 KdSplit median_split(References references, const Bounds &box, double) {
-    if (references.size() <= 1) return {};
+    if (references.size() <= BLOCK_SIZE) return {};
     std::array<int, 3> axes = {0, 1, 2};
     std::ranges::stable_sort(axes, std::greater(), [&](int axis) { return double(box.high[axis]) - box.low[axis]; });
     for (const int axis : axes) {

@@ -7,18 +7,15 @@
 
 namespace brandung {
 
-/// The box of a primitive, or of a block of them as nodes hold it. One that is flat along an axis reaches a float below: so it has a part below a
-/// plane that it lies in, and none above.
+/// A reference in a node. A box that is flat along an axis reaches a float below: so it has a part below a plane that it lies in, and none above.
 struct KdReference {
     vec3 low;
-    uint index;  ///< number of the primitive or block
+    uint index;
     vec3 high;
 
     bool is_below(int axis, float plane) const { return low[axis] < plane; }
     bool is_above(int axis, float plane) const { return high[axis] > plane; }
 };
-
-constexpr double kd_block_cost = 2;  ///< of a block in a leaf, in steps from node to node: measured on the SPD, where 1.5 to 4 differ little
 
 /// A plane inside of a node, or none: the node is best left a leaf.
 struct KdSplit {
@@ -37,5 +34,8 @@ KdSplit cheapest_split(std::span<const KdReference> references, const Bounds &bo
 
 /// In the middle of the references, along the longest axis on which that separates any (the median cut of Kaplan, see kd_tree_walk.cl, by objects).
 KdSplit median_split(std::span<const KdReference> references, const Bounds &box, double pad);
+
+/// Expected cost of a leaf that a ray comes to, in steps from node to node.
+double kd_leaf_cost(std::size_t references);
 
 }  // namespace brandung

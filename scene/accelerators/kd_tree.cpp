@@ -1,4 +1,4 @@
-/// Builds kd-trees from the root down: a node's blocks go to the sides of its plane on which their boxes have a part.
+/// Builds kd-trees from the root down: a node's references go to the sides of its plane on which their boxes have a part.
 #include "kernels/accelerators/kd_tree.h"
 
 #include <fmt/format.h>
@@ -10,44 +10,50 @@
 #include <cmath>
 
 #include "scene/accelerators/cell_lists.h"
-#include "scene/accelerators/kd_blocks.h"
+#include "scene/accelerators/kd_split.h"
 #include "scene/error.h"
 
 namespace brandung {
 namespace {
 
 constexpr std::size_t serial_below = 4096;  ///< references of a subtree that is one task
-constexpr double copies_per_block = 6;      ///< that planes may make, on average: what lies everywhere is in every leaf
+constexpr double copies_per_reference = 6;  ///< that planes may make, on average: what lies everywhere is in every leaf
 
 /// A part of the tree: its root first, then nothing, then the rest in depth-first order, pairs of children at even places.
 struct Subtree {
     std::vector<KdNode> nodes = {{NO_ITEMS, KD_LEAF}, {NO_ITEMS, KD_LEAF}};
-    std::vector<uint> items;  ///< of all leaves, in depth-first order; the nodes have their places
-    std::vector<std::uint8_t> lanes;
+    Cells leaves{{0}, {}};  ///< those with references, in depth-first order; the nodes have their numbers
+
+    uint add_leaf(std::span<const KdReference> references) {
+        for (const KdReference &reference : references) leaves.members.push_back(reference.index);
+        leaves.starts.push_back(uint(leaves.members.size()));
+        return uint(leaves.count() - 1);
+    }
 
     /// Puts another's root in place of a node, and the rest behind.
     void append(uint node, const Subtree &other) {
-        const uint nodes_before = uint(nodes.size()) - 2, items_before = uint(items.size());
+        const uint nodes_before = uint(nodes.size()) - 2, leaves_before = uint(leaves.count()), members_before = leaves.starts.back();
         const auto moved = [&](KdNode moved) {
             if (moved.word != KD_LEAF)
                 moved.word += nodes_before << KD_CHILD_SHIFT;
             else if (moved.plane != NO_ITEMS)
-                moved.plane += items_before;
+                moved.plane += leaves_before;
             return moved;
         };
         nodes[node] = moved(other.nodes[0]);
         std::transform(other.nodes.begin() + 2, other.nodes.end(), std::back_inserter(nodes), moved);
-        items.insert(items.end(), other.items.begin(), other.items.end());
-        lanes.insert(lanes.end(), other.lanes.begin(), other.lanes.end());
+        leaves.members.insert(leaves.members.end(), other.leaves.members.begin(), other.leaves.members.end());
+        std::transform(other.leaves.starts.begin() + 1, other.leaves.starts.end(), std::back_inserter(leaves.starts),
+                       [&](uint start) { return members_before + start; });
     }
 };
 
 /// What is to be built below a node.
 struct Part {
-    std::vector<KdReference> references;  ///< blocks
+    std::vector<KdReference> references;
     Bounds box;
     uint depth;          ///< planes above
-    double copies;       ///< of blocks that planes may still make below
+    double copies;       ///< of references that planes may still make below
     std::uint64_t work;  ///< for the progress
 };
 
@@ -68,20 +74,9 @@ std::array<Part, 2> divided(const Part &part, const KdSplit &split) {
     return sides;
 }
 
-/// Far below what a float can resolve of the scene.
-double pad_for(const Bounds &box) {
-    double extent = 1e-25;
-    for (int axis = 0; axis < 3; ++axis) extent = std::max(extent, double(box.high[axis]) - box.low[axis]);
-    return extent * 0x1p-40;
-}
-
-/// Havran's (thesis, section 4.5).
-uint depth_for(std::size_t references) { return std::min(KD_DEPTH, uint(8 + 1.3 * std::log2(double(std::max<std::size_t>(references, 1))))); }
-
 class KdBuild {
 public:
-    KdBuild(const KdBlocks &blocks, std::span<const KdReference> primitives, const Bounds &box, ChooseKdSplit choose, BuildProgress &progress)
-        : blocks_(blocks), primitives_(primitives), box_(box), choose_(choose), progress_(progress) {}
+    KdBuild(ChooseKdSplit choose, double pad, uint depth, BuildProgress &progress) : choose_(choose), pad_(pad), depth_(depth), progress_(progress) {}
 
     /// Puts a tree in place of a node, and all below behind.
     void build(Part part, Subtree &tree, uint node) const {
@@ -107,46 +102,15 @@ public:
     }
 
 private:
-    /// Lists the blocks of which some primitive has a part in the leaf.
     void add_leaf(const Part &part, Subtree &tree, uint node) const {
-        const uint first = uint(tree.items.size());
-        for (const KdReference &reference : part.references) {
-            const std::uint8_t lanes = lanes_in(part.box, blocks_.items[reference.index]);
-            if (lanes == 0) continue;
-            tree.items.push_back(blocks_.items[reference.index]);
-            tree.lanes.push_back(lanes);
-        }
-        if (tree.items.size() > first) {
-            tree.items.back() |= ITEM_LAST;
-            tree.nodes[node] = {first, KD_LEAF};
-        }
+        tree.nodes[node] = {tree.add_leaf(part.references), KD_LEAF};
         progress_.add(part.work);
     }
 
-    std::uint8_t lanes_in(const Bounds &box, uint item) const {
-        const PrimitiveBlock &block = blocks_.blocks[item >> ITEM_KIND_SHIFT][item & ITEM_BLOCK];
-        uint lanes = 0;
-        for (uint i = 0; i < block.count; ++i) lanes |= uint(has_part_in(box, primitives_[block.references[i]])) << i;
-        return std::uint8_t(lanes);
-    }
-
-    /// As the planes that are the leaf's sides would have sorted it. What lies flat in the root's lower side is above that.
-    bool has_part_in(const Bounds &box, const KdReference &primitive) const {
-        bool has_part = true;
-        for (int axis = 0; axis < 3; ++axis) {
-            has_part &= primitive.is_below(axis, box.high[axis]);
-            has_part &= primitive.is_above(axis, box.low[axis]) || box.low[axis] == box_.low[axis];
-        }
-        return has_part;
-    }
-
-    const KdBlocks &blocks_;
-    std::span<const KdReference> primitives_;
-    const Bounds &box_;
     ChooseKdSplit choose_;
+    double pad_;
+    uint depth_;
     BuildProgress &progress_;
-    const double pad_ = pad_for(box_);
-    const uint depth_ = depth_for(blocks_.references.size());
 };
 
 std::vector<KdReference> kd_references(std::span<const Reference> references) {
@@ -167,15 +131,25 @@ Bounds bounds_of(std::span<const Reference> references) {
     return references.empty() ? Bounds{vec3(0), vec3(0)} : bounds;
 }
 
+/// Far below what a float can resolve of the scene.
+double pad_for(const Bounds &box) {
+    double extent = 1e-25;
+    for (int axis = 0; axis < 3; ++axis) extent = std::max(extent, double(box.high[axis]) - box.low[axis]);
+    return extent * 0x1p-40;
+}
+
+/// Havran's (thesis, section 4.5).
+uint depth_for(std::size_t references) { return std::min(KD_DEPTH, uint(8 + 1.3 * std::log2(double(std::max<std::size_t>(references, 1))))); }
+
 BuiltAccelerator build(std::span<const Reference> references, ChooseKdSplit choose, const char *name, BuildProgress &progress) {
-    progress.begin(2 * references.size());
+    progress.begin(references.size());
     const Bounds box = bounds_of(references);
-    const std::vector<KdReference> primitives = kd_references(references);
-    KdBlocks blocks = kd_blocks(references, primitives, name, progress);
     Subtree tree;
-    const double copies = copies_per_block * double(blocks.references.size());
-    KdBuild(blocks, primitives, box, choose, progress).build({blocks.references, box, 0, copies, references.size()}, tree, 0);
-    CellLists lists{.blocks = std::move(blocks.blocks), .lists = {}, .items = std::move(tree.items), .lanes = std::move(tree.lanes)};
+    const KdBuild build(choose, pad_for(box), depth_for(references.size()), progress);
+    build.build({kd_references(references), box, 0, copies_per_reference * double(references.size()), references.size()}, tree, 0);
+    CellLists lists = list_cells(references, tree.leaves, name);
+    for (KdNode &node : tree.nodes)
+        if (node.word == KD_LEAF && node.plane != NO_ITEMS) node.plane = lists.lists[node.plane];
     return built_of_cells(KdTree{{}, box.low, box.high}, tree.nodes, std::move(lists));
 }
 

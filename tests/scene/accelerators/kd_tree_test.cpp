@@ -23,13 +23,6 @@ public:
     KdNode node(uint number) const { return at<KdNode>(header.spans.cells, number); }
     static bool is_leaf(KdNode node) { return (node.word & KD_AXIS) == KD_LEAF; }
 
-    /// Blocks in a leaf.
-    std::size_t block_count(KdNode leaf) const {
-        std::size_t count = 0;
-        for (uint item = 0; leaf.plane != NO_ITEMS && !(item & ITEM_LAST); ++count) item = at<uint>(header.spans.items, leaf.plane + count);
-        return count;
-    }
-
     /// References in a leaf, ascending.
     std::vector<uint> listed(KdNode leaf) const {
         std::vector<uint> found;
@@ -80,15 +73,9 @@ bool has_part_in(const Bounds &box, const Bounds &node, const Bounds &root) {
     return true;
 }
 
-std::size_t blocks_in_all_leaves(const Tree &tree) {
+std::size_t listed_in_all(const Tree &tree) {
     std::size_t sum = 0;
-    tree.for_each([&](KdNode node, uint, const Bounds &, uint) { sum += Tree::is_leaf(node) ? tree.block_count(node) : 0; });
-    return sum;
-}
-
-std::size_t block_count(const BuiltAccelerator &built) {
-    std::size_t sum = 0;
-    for (const std::vector<PrimitiveBlock> &blocks : built.blocks) sum += blocks.size();
+    tree.for_each([&](KdNode node, uint, const Bounds &, uint) { sum += Tree::is_leaf(node) ? tree.listed(node).size() : 0; });
     return sum;
 }
 
@@ -145,7 +132,7 @@ TEST_P(KdTreeOfCase, LeavesListWhatHasAPartInThem) {
         listed += inside.size();
     });
     EXPECT_GE(listed, references.size());
-    EXPECT_LE(blocks_in_all_leaves(tree), 7 * block_count(built)) << "copies without end";
+    EXPECT_LE(listed, 7 * references.size()) << "copies without end";
 }
 
 TEST_P(KdTreeOfCase, TheNumberOfThreadsDoesNotShow) {
@@ -182,10 +169,10 @@ TEST_P(KdTrees, LongBoxesAreNotCopiedWithoutEnd) {
     References references = random_boxes(4'000, 1, 0.01f);
     for (uint i = 0; i < references.size(); i += 2) references[i].bounds = {vec3(0, references[i].bounds.low.y, 0), vec3(1, 1, 1)};
     const BuiltAccelerator built = build_accelerator(GetParam(), references);
-    EXPECT_LE(blocks_in_all_leaves(Tree(built)), 7 * block_count(built));
+    EXPECT_LE(listed_in_all(Tree(built)), 7 * references.size());
 }
 
-/// Steps of a ray through the scene's box on average (of those through a box, as many as its area says), a block at the price that the builder sees.
+/// Steps of a ray through the scene's box on average (of those through a box, as many as its area says), a leaf at the price that the builder sees.
 double cost_of(const char *accelerator, const References &references) {
     const BuiltAccelerator built = build_accelerator(accelerator, references);
     const Tree tree(built);
@@ -195,7 +182,8 @@ double cost_of(const char *accelerator, const References &references) {
     };
     double sum = 0;
     tree.for_each([&](KdNode node, uint, const Bounds &box, uint) {
-        sum += half_area(box) * (Tree::is_leaf(node) ? kd_block_cost * double(tree.block_count(node)) : 1);
+        const std::size_t listed = Tree::is_leaf(node) ? tree.listed(node).size() : 0;
+        sum += half_area(box) * (1 + kd_leaf_cost(listed));
     });
     return sum / half_area({tree.header.low, tree.header.high});
 }
