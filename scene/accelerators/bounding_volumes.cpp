@@ -116,12 +116,11 @@ private:
             for (const auto &child : group.children) inside += part_of_rays(child->bounds, group.bounds) * child->cost;
         }
         group.cost = inside;
-        const std::vector<HullPart> parts = parts_of(group);
+        const FittedVolumes volumes = fit_volumes(parts_of(group));
         for (uint kind = VOLUME_NONE + 1; kind < VOLUME_KINDS; ++kind) {
             if (volume_costs[kind] >= group.cost) continue;
-            const Volume volume = fit_volume(kind, parts);
-            const double cost = volume_costs[kind] + part_of_lines(kind, volume, group.bounds) * inside;
-            if (cost < group.cost) group.cost = cost, group.volume_kind = kind, group.volume = volume;
+            const double cost = volume_costs[kind] + part_of_lines(kind, volumes[kind], group.bounds) * inside;
+            if (cost < group.cost) group.cost = cost, group.volume_kind = kind, group.volume = volumes[kind];
         }
     }
 

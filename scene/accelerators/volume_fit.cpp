@@ -22,8 +22,12 @@ struct Extent {
 Extent extent_along(std::span<const HullPart> parts, Vector n) {
     Extent extent;
     for (const HullPart &part : parts) {
-        const double at = glm::dot(n, Vector(part.center)), along_axis = glm::dot(n, Vector(part.axis));
-        const double reach = part.radius * std::sqrt(std::max(0.0, glm::dot(n, n) - along_axis * along_axis));
+        const double at = glm::dot(n, Vector(part.center));
+        double reach = 0;
+        if (part.radius > 0) {
+            const double along_axis = glm::dot(n, Vector(part.axis));
+            reach = part.radius * std::sqrt(std::max(0.0, glm::dot(n, n) - along_axis * along_axis));
+        }
         extent.low = std::min(extent.low, at - reach), extent.high = std::max(extent.high, at + reach);
     }
     return extent;
@@ -109,8 +113,7 @@ Volume fit_oriented_box(std::span<const HullPart> parts) {
 }
 
 /// The oriented box's proportions, and as large as its farthest part wants it.
-Volume fit_ellipsoid(std::span<const HullPart> parts) {
-    const Volume box = fit_oriented_box(parts);
+Volume fit_ellipsoid(std::span<const HullPart> parts, const Volume &box) {
     std::array<Vector, 3> rows;
     const double longest = std::max({box.words[12], box.words[13], box.words[14]});
     double stretch = 0;
@@ -231,17 +234,12 @@ Line line_into(const Bounds &box, const LineNumbers &numbers) {
 
 }  // namespace
 
-Volume fit_volume(uint kind, std::span<const HullPart> parts) {
-    switch (kind) {
-        case VOLUME_SPHERE:
-            return fit_sphere(parts);
-        case VOLUME_ELLIPSOID:
-            return fit_ellipsoid(parts);
-        case VOLUME_ORIENTED_BOX:
-            return fit_oriented_box(parts);
-        default:
-            return fit_diagonals(parts);
-    }
+FittedVolumes fit_volumes(std::span<const HullPart> parts) {
+    const Volume box = fit_oriented_box(parts);
+    FittedVolumes volumes{};
+    volumes[VOLUME_SPHERE] = fit_sphere(parts), volumes[VOLUME_ELLIPSOID] = fit_ellipsoid(parts, box);
+    volumes[VOLUME_ORIENTED_BOX] = box, volumes[VOLUME_DIAGONALS] = fit_diagonals(parts);
+    return volumes;
 }
 
 double part_of_lines(uint kind, const Volume &volume, const Bounds &box) {

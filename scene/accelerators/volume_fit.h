@@ -1,5 +1,6 @@
 /// Volumes round groups of objects, and how many lines through a box meet them.
 #pragma once
+#include <array>
 #include <span>
 
 #include "kernels/accelerators/bounding_volumes.h"
@@ -8,9 +9,12 @@
 
 namespace brandung {
 
-/// Of the given kind (VOLUME_...) round all parts, as tight as simple rules make it: a sphere round the middle of the parts' box; an ellipsoid and an
+/// By kind (VOLUME_...), of which VOLUME_NONE has none.
+using FittedVolumes = std::array<Volume, VOLUME_KINDS>;
+
+/// Round all parts, as tight as simple rules make them: a sphere round the middle of the parts' box; an ellipsoid and an
 /// oriented box along the parts' principal axes; four diagonal slabs. Rounded outward by less than the tests' own margin.
-Volume fit_volume(uint kind, std::span<const HullPart> parts);
+FittedVolumes fit_volumes(std::span<const HullPart> parts);
 
 /// The part of all lines through a box that also meet a volume, from 0 to 1: what comes of a fixed few lines, of every direction and place alike.
 double part_of_lines(uint kind, const Volume &volume, const Bounds &box);

@@ -75,7 +75,7 @@ TEST_P(Volumes, AreMetByTheLineOfEveryHit) {
         for (uint kind = VOLUME_NONE + 1; kind < VOLUME_KINDS; ++kind) {
             const std::vector<Neighbours> groups = groups_of(scene, size);
             std::vector<Volume> volumes;
-            for (const Neighbours &group : groups) volumes.push_back(fit_volume(kind, group.parts));
+            for (const Neighbours &group : groups) volumes.push_back(fit_volumes(group.parts)[kind]);
             std::vector<Trial> of_hits, of_others;
             for (std::size_t i = 0; i < rays.size(); ++i) {
                 const std::size_t hit = hits[i].primitive / size, other = i % groups.size();
@@ -106,13 +106,13 @@ INSTANTIATE_TEST_SUITE_P(HardScenes, Volumes, testing::ValuesIn(scenes_without_i
 TEST(VolumeFit, LinesMeetABallInItsCubeAsOftenAsSurfacesSay) {
     const HullPart ball{.center = {1, 2, 3}, .radius = 2};
     const Bounds cube{{-1, 0, 1}, {3, 4, 5}};
-    const std::vector<HullPart> parts = {ball};
+    const std::vector<HullPart> parts = {ball}, larger = {{.center = {1, 2, 3}, .radius = 9}};
     const double expected = M_PI / 6, standard_error = std::sqrt(expected * (1 - expected) / 64);
     for (const uint kind : {VOLUME_SPHERE, VOLUME_ELLIPSOID}) {
-        const Volume volume = fit_volume(kind, parts);
+        const Volume volume = fit_volumes(parts)[kind];
         EXPECT_NEAR(part_of_lines(kind, volume, cube), expected, 2 * standard_error) << kind;
     }
-    EXPECT_EQ(part_of_lines(VOLUME_ORIENTED_BOX, fit_volume(VOLUME_ORIENTED_BOX, {{{.center = {1, 2, 3}, .radius = 9}}}), cube), 1);
+    EXPECT_EQ(part_of_lines(VOLUME_ORIENTED_BOX, fit_volumes(larger)[VOLUME_ORIENTED_BOX], cube), 1);
 }
 
 }  // namespace
