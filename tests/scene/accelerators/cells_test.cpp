@@ -159,7 +159,7 @@ TEST(CellStructures, TheOctreeDividesAClumpAndTheGridCannot) {
         return most;
     };
     EXPECT_EQ(fullest("uniform_grid", decode_uniform_grid), 4000u);
-    EXPECT_LT(fullest("octree", decode_octree), 16u);
+    EXPECT_LT(fullest("octree", decode_octree), 64u);  // it divides from some 2 * 8 / (1 - 1/4) on
 }
 
 INSTANTIATE_TEST_SUITE_P(Accelerators, CellStructures, testing::ValuesIn(structures), [](const auto &info) { return info.param.name; });
