@@ -157,13 +157,17 @@ StoppedBy Renderer::render_passes(Film &film, RenderProgress &progress, const st
 }
 
 /// The pixels' samples first ... first + samples.
-void Renderer::render_batch(Film &film, const std::vector<uint> &pixels, uint first, uint samples, Aovs *aovs, WaveObserver *observer) {
+Batch Renderer::batch_of(const std::vector<uint> &pixels, uint first, uint samples, Aovs *aovs) {
     pixels_.write(pixels);
     BatchParams params = common_params(film_settings_);
     params.pixels = static_cast<uint>(pixels.size());
     params.first_sample = first;
     params.samples = samples;
-    const Batch batch{params, pixels_, camera_, interior_, aovs};
+    return {params, pixels_, camera_, interior_, aovs};
+}
+
+void Renderer::render_batch(Film &film, const std::vector<uint> &pixels, uint first, uint samples, Aovs *aovs, WaveObserver *observer) {
+    const Batch batch = batch_of(pixels, first, samples, aovs);
     integrator_->render(batch, samples_, observer);
     filter_.weigh(batch, samples_);
     film.add(batch, samples_);
@@ -174,6 +178,11 @@ void Renderer::render_batch(Film &film, const std::vector<uint> &pixels, uint fi
 std::vector<Sample> Renderer::render_pixel(Film &film, uint x, uint y, uint first, uint samples, WaveObserver *observer) {
     render_batch(film, {x | y << 16}, first, samples, nullptr, observer);
     return samples_.read(0, samples);
+}
+
+void Renderer::show(const std::vector<uint> &pixels, uint first, uint samples, WaveObserver &observer) {
+    integrator_->render(batch_of(pixels, first, samples, nullptr), samples_, &observer);
+    device_.finish();
 }
 
 }  // namespace brandung

@@ -62,6 +62,10 @@ public:
     /// it. Shows the waves to `observer` if there is one.
     std::vector<Sample> render_pixel(Film &film, uint x, uint y, uint first, uint samples, WaveObserver *observer);
 
+    /// Shows `observer` the waves of the same samples of several pixels, x in the lower 16 bits and y in the upper: samples at most as many as rays in
+    /// a wave, which no film gets.
+    void show(const std::vector<uint> &pixels, uint first, uint samples, WaveObserver &observer);
+
     /// Looks from another camera, whose eye is in the same media, from the next render on.
     void look_from(const CameraDescription &camera) { camera_ = make_camera(camera, film_settings_.width, film_settings_.height); }
 
@@ -72,6 +76,7 @@ public:
 
 private:
     StoppedBy render_passes(Film &film, RenderProgress &progress, const std::vector<Observer> &observers, Aovs *aovs);
+    Batch batch_of(const std::vector<uint> &pixels, uint first, uint samples, Aovs *aovs);
     void render_batch(Film &film, const std::vector<uint> &pixels, uint first, uint samples, Aovs *aovs, WaveObserver *observer);
 
     Device &device_;

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "tools/bench/accelerators_command.h"
 #include "tools/bench/comparison.h"
 #include "tools/bench/report.h"
 #include "tools/commands.h"
@@ -69,7 +70,13 @@ void add_bench(CLI::App &app, int &status) {
     command->add_option("--compare", options->compared, "what --json gave before, of the same scene and settings: times per item are compared");
     command->add_flag("--json", options->as_json, "print JSON");
     command->add_flag("--quiet", options->quiet, "no progress");
-    command->callback([options, &status] { status = run(*options); });
+    add_bench_accelerators(*command, status);
+    command->get_option("scene")->required(false);  // else a subcommand's name would be the scene
+    command->callback([command, options, &status] {
+        if (!command->get_subcommands().empty()) return;
+        if (options->scene.empty()) throw CLI::RequiredError("scene");
+        status = run(*options);
+    });
 }
 
 }  // namespace brandung

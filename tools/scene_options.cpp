@@ -109,16 +109,14 @@ std::string names_of_accelerators() {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-void add_settings(CLI::App &command, SceneOptions &options) {
+void add_any_setting(CLI::App &command, SceneOptions &options) {
     command.option_defaults()->group("Scene");
-    command.add_option("scene", options.scene, "scene file: .json (native), .nff, or a mesh: .obj, .ply")->required();
     command
         .add_option("--set", options.settings,
                     "any setting of the scene file, as KEY=VALUE: the key with dots and numbers (integrator.threshold, objects.0.radius), the value "
                     "as in JSON")
         ->expected(1)
         ->take_all();
-    command.add_option("--accelerator", options.accelerator, fmt::format("{} or auto (default: the scene's)", names_of_accelerators()));
 }
 
 void add_picture_options(CLI::App &command, SceneOptions &options) {
@@ -178,7 +176,14 @@ void add_light_options(CLI::App &command, SceneOptions &options) {
 }  // namespace
 
 void add_scene_options(CLI::App &command, SceneOptions &options) {
-    add_settings(command, options);
+    command.option_defaults()->group("Scene");
+    command.add_option("scene", options.scene, "scene file: .json (native), .nff, or a mesh: .obj, .ply")->required();
+    command.add_option("--accelerator", options.accelerator, fmt::format("{} or auto (default: the scene's)", names_of_accelerators()));
+    add_scene_settings(command, options);
+}
+
+void add_scene_settings(CLI::App &command, SceneOptions &options) {
+    add_any_setting(command, options);
     add_picture_options(command, options);
     add_view_options(command, options);
     add_light_options(command, options);

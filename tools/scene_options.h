@@ -27,6 +27,8 @@ struct SceneOptions {
 
 /// What a scene is and how it looks. `options` must live until the command has run.
 void add_scene_options(CLI::App &command, SceneOptions &options);
+/// The same but for the scene's file and its accelerator.
+void add_scene_settings(CLI::App &command, SceneOptions &options);
 /// On what it is rendered.
 void add_device_options(CLI::App &command, SceneOptions &options);
 /// The scene with its settings and cameras changed. Throws SceneError, and CLI::ValidationError for a size that is none, or a vector.

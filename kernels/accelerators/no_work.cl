@@ -3,4 +3,5 @@
 
 #define WORK_OF_RAY
 #define COUNT(ray, counter, n) ((void)0)
+#define COUNT_IN(ray, sums) ((void)0)
 #define SHARE_WORK(inner, ray)

@@ -46,7 +46,7 @@ public:
           no_tints_(job.device, 0),
           no_spectra_(job.device, 0),
           counter_(job.device, generate_.work_items(job.batch) * std::clamp(light_count_, 1u, lights_per_block)) {
-        if (traces_packets(job)) intersect_packets_.emplace(job.device, "kernels/stages/intersect_packets.cl", "intersect_packets", scene_.lists());
+        if (traces_packets(job.device, job.compiled)) intersect_packets_.emplace(job.device, "kernels/stages/intersect_packets.cl", "intersect_packets", scene_.lists());
         if (branching_ > 0 || !intersect_packets_) intersect_.emplace(job.device, "kernels/stages/intersect.cl", "intersect", scene_.lists());
         if (branching_ > 0) secondary_.emplace(job, branching_);
         if (job.compiled.transmits) media_.emplace(job);
@@ -138,9 +138,8 @@ private:
         first.interiors.write(interiors);
     }
 
-    /// Rays from the eye and their first reflections stay together, the others go their own ways.
     void trace(const Wave &wave) {
-        Kernel &intersect = intersect_packets_ && wave.generation <= 1 ? *intersect_packets_ : *intersect_;
+        Kernel &intersect = intersect_packets_ && are_coherent(wave.generation) ? *intersect_packets_ : *intersect_;
         intersect(wave.count, scene_, wave, wave.level.rays, wave.level.sources, hits_, hit_instances_, media_ ? media_->crowded : no_bytes_,
                   shared(counter_.tallies()));
         counter_.add(intersect.work_items(wave.count));
@@ -184,8 +183,7 @@ private:
                       in_rows(shadows.rays, shadows.rows), in_rows(shadows.visible, shadows.rows));
         shadows.compact(shadows.visible, shadows.stride, count, rows, 0, 0, shadows.live);
         if (observation_) record_shadow_rays(wave, light, rows);
-        // Shadow rays from the first reflections are scattered already: one by one they are faster.
-        Kernel &trace = shadows.trace_packets && wave.generation == 0 ? *shadows.trace_packets : shadows.trace_singly;
+        Kernel &trace = shadows.trace_packets && are_shadow_rays_coherent(wave.generation) ? *shadows.trace_packets : shadows.trace_singly;
         const Access live = in_rows(shadows.live, shadows.rows), rays = in_rows(shadows.rays, shadows.rows);
         const Access visible = in_rows(shadows.visible, shadows.rows), counts = shared(shadows.compact.counts());
         trace(Grid(count, rows), scene_, live, counts, shadows.stride, rays, hit_instances_, visible, shared(counter_.tallies()));

@@ -2,16 +2,13 @@
 #pragma once
 #include <optional>
 
+#include "runtime/integrators/coherence.h"
 #include "runtime/integrators/integrator.h"
 #include "runtime/wavefront/compaction.h"
-#include "scene/accelerators/accelerator.h"
 
 namespace brandung {
 
 inline constexpr const char *whitted_cl = "kernels/integrators/whitted.cl";
-
-/// Packets pay where one work-item has many rays.
-inline bool traces_packets(const IntegratorJob &job) { return job.device.info().cpu && job.compiled.accelerator->packets; }
 
 /// Mirrored and refracted rays: only where a material sends them.
 struct Secondary {
@@ -68,7 +65,7 @@ struct Shadows {
           rays(job.device, std::size_t{stride} * rows),
           visible(job.device, std::size_t{stride} * rows),
           live(job.device, std::size_t{stride} * rows) {
-        if (traces_packets(job)) trace_packets.emplace(job.device, "kernels/stages/trace_shadow_rays.cl", "trace_shadow_rays", job.on_device.lists());
+        if (traces_packets(job.device, job.compiled)) trace_packets.emplace(job.device, "kernels/stages/trace_shadow_rays.cl", "trace_shadow_rays", job.on_device.lists());
     }
     uint stride, rows;
     Kernel spawn, trace_singly;

@@ -1,0 +1,129 @@
+#include "runtime/accelerators/ray_tracing.h"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+
+#include "runtime/integrators/coherence.h"
+
+namespace brandung {
+namespace {
+
+std::vector<uint> numbers_up_to(uint end) {
+    std::vector<uint> numbers(end);
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    return numbers;
+}
+
+Sources counting(Sources sources) {
+    sources["generated/work.cl"] = "#include \"kernels/accelerators/work.cl\"\n";
+    return sources;
+}
+
+double milliseconds_of(const Profile &profile) {
+    double sum = 0;
+    for (const auto &[name, kernel] : profile) sum += kernel.milliseconds;
+    return sum;
+}
+
+}  // namespace
+
+RaySpan part_of(const RayQueue &queue, std::size_t first, std::size_t count) {
+    const std::size_t here = std::min(count, queue.count() - first);
+    return {queue.shadow, queue.coherent, std::span(queue.rays).subspan(first, here), std::span(queue.sources).subspan(first, here)};
+}
+
+bool RayAnswers::is_same(const RayAnswers &other, std::size_t i) const {
+    if (hits.empty()) return visible[i] == other.visible[i];
+    return std::memcmp(&hits[i], &other.hits[i], sizeof(Hit)) == 0 && instances[i] == other.instances[i];
+}
+
+void WorkSums::add(const Work &work) {
+    steps += work.steps, cells += work.cells, empty_cells += work.empty_cells, listed += work.listed;
+    blocks += work.blocks, tests += work.tests, missed += work.missed, idle += work.idle, served += work.served;
+}
+
+void WorkSums::add(const WorkSums &sums) {
+    rays += sums.rays, hits += sums.hits;
+    steps += sums.steps, cells += sums.cells, empty_cells += sums.empty_cells, listed += sums.listed;
+    blocks += sums.blocks, tests += sums.tests, missed += sums.missed, idle += sums.idle, served += sums.served;
+}
+
+RayTracing::RayTracing(Device &device, const CompiledScene &compiled, const DeviceScene &on_device, uint batch)
+    : device_(device),
+      scene_(on_device),
+      packets_(traces_packets(device, compiled)),
+      rays_(device, batch),
+      sources_(device, batch),
+      live_(device, numbers_up_to(batch)),
+      counts_(device, 1),
+      hits_(device, batch),
+      instances_(device, std::vector<uint>(batch, 0)),
+      crowded_(device, batch),
+      visible_(device, batch),
+      works_(device, batch),
+      tallies_(device, batch),
+      batch_(batch) {}
+
+Kernel &RayTracing::stage(const std::string &name) {
+    const auto known = kernels_.find(name);
+    if (known != kernels_.end()) return known->second;
+    return kernels_.emplace(name, Kernel(device_, "kernels/stages/" + name + ".cl", name, scene_.lists())).first->second;
+}
+
+Kernel &RayTracing::counter(const std::string &name) {
+    const auto known = kernels_.find(name);
+    if (known != kernels_.end()) return known->second;
+    return kernels_.emplace(name, Kernel(device_, "kernels/bench/count_work.cl", name, counting(scene_.lists()))).first->second;
+}
+
+void RayTracing::take(const RaySpan &rays) {
+    rays_.write(rays.rays), sources_.write(rays.sources);
+    const auto count = static_cast<uint>(rays.rays.size());
+    counts_.write(std::span(&count, 1));
+    if (rays.shadow) visible_.write(std::vector<std::uint8_t>(count, 1));
+    taken_ = rays;
+    device_.finish();
+}
+
+double RayTracing::trace(const RaySpan &rays) {
+    take(rays);
+    const double before = milliseconds_of(device_.profile());
+    rays.shadow ? trace_shadows(rays) : trace_closest(rays);
+    device_.finish();
+    return 1e-3 * (milliseconds_of(device_.profile()) - before);
+}
+
+void RayTracing::trace_closest(const RaySpan &rays) {
+    Kernel &kernel = stage(rays.coherent && packets_ ? "intersect_packets" : "intersect");
+    kernel(rays.rays.size(), scene_, live_, 0u, static_cast<uint>(rays.rays.size()), rays_, sources_, hits_, instances_, crowded_, tallies_);
+}
+
+void RayTracing::trace_shadows(const RaySpan &rays) {
+    Kernel &kernel = stage(rays.coherent && packets_ ? "trace_shadow_rays" : "trace_shadow_rays_singly");
+    kernel(rays.rays.size(), scene_, live_, counts_, batch_, rays_, sources_, visible_, tallies_);
+}
+
+RayAnswers RayTracing::answers() const {
+    const std::size_t count = taken_.rays.size();
+    if (taken_.shadow) return {{}, {}, visible_.read(0, count)};
+    return {hits_.read(0, count), instances_.read(0, count), {}};
+}
+
+RayAnswers RayTracing::count(const RaySpan &rays, WorkSums &sums) {
+    take(rays);
+    const auto count = static_cast<uint>(rays.rays.size());
+    if (rays.shadow) {
+        counter("count_shadows")(count, scene_, count, rays_, sources_, visible_, works_);
+    } else {
+        counter("count_closest_hits")(count, scene_, count, rays_, sources_, hits_, instances_, works_);
+    }
+    RayAnswers found = answers();
+    for (const Work &work : works_.read(0, count)) sums.add(work);
+    sums.rays += count;
+    for (const Hit &hit : found.hits) sums.hits += hit.primitive != NO_HIT;
+    for (const std::uint8_t visible : found.visible) sums.hits += visible == 0;
+    return found;
+}
+
+}  // namespace brandung

@@ -1,0 +1,71 @@
+/// RayTracing: rays of a sample, traced by one accelerator as a render traces them, or one by one with counts of the work.
+#pragma once
+#include <map>
+
+#include "kernels/accelerators/work.h"
+#include "runtime/accelerators/ray_sample.h"
+#include "runtime/opencl/kernel.h"
+
+namespace brandung {
+
+/// A part of a queue.
+struct RaySpan {
+    bool shadow, coherent;
+    std::span<const Ray> rays;
+    std::span<const uint> sources;
+};
+/// Rays first ... first + count of a queue, fewer at its end.
+RaySpan part_of(const RayQueue &queue, std::size_t first, std::size_t count);
+
+/// What rays meet: of shadow rays `visible`, of others the rest, one per ray.
+struct RayAnswers {
+    std::vector<Hit> hits;
+    std::vector<uint> instances;  ///< of the hits, 0 outside of all
+    std::vector<std::uint8_t> visible;
+    std::size_t count() const { return hits.empty() ? visible.size() : hits.size(); }
+    /// Whether all bits of the answer to ray i are the same.
+    bool is_same(const RayAnswers &other, std::size_t i) const;
+};
+
+/// Sums of Work over many rays.
+struct WorkSums {
+    std::uint64_t rays = 0, hits = 0;
+    std::uint64_t steps = 0, cells = 0, empty_cells = 0, listed = 0, blocks = 0, tests = 0, missed = 0, idle = 0, served = 0;
+    void add(const Work &work);
+    void add(const WorkSums &sums);
+};
+
+/// At most `batch` rays at once.
+class RayTracing {
+public:
+    RayTracing(Device &device, const CompiledScene &compiled, const DeviceScene &on_device, uint batch);
+    /// By the stages that a render takes for such rays. Gives the time that the device took [s].
+    double trace(const RaySpan &rays);
+    /// What the last trace() has found.
+    RayAnswers answers() const;
+    /// One ray after another by the counting kernels; adds to `sums`.
+    RayAnswers count(const RaySpan &rays, WorkSums &sums);
+
+private:
+    Kernel &stage(const std::string &name);
+    Kernel &counter(const std::string &name);
+    void take(const RaySpan &rays);
+    void trace_closest(const RaySpan &rays);
+    void trace_shadows(const RaySpan &rays);
+
+    Device &device_;
+    const DeviceScene &scene_;
+    bool packets_;
+    std::map<std::string, Kernel> kernels_;  ///< that were needed so far, by name
+    Buffer<Ray> rays_;
+    Buffer<uint> sources_, live_, counts_;
+    Buffer<Hit> hits_;
+    Buffer<uint> instances_;
+    Buffer<std::uint8_t> crowded_, visible_;
+    Buffer<Work> works_;
+    Buffer<Tally> tallies_;
+    uint batch_;
+    RaySpan taken_{};
+};
+
+}  // namespace brandung
