@@ -62,8 +62,8 @@ public:
     /// it. Shows the waves to `observer` if there is one.
     std::vector<Sample> render_pixel(Film &film, uint x, uint y, uint first, uint samples, WaveObserver *observer);
 
-    /// Shows `observer` the waves of the same samples of several pixels, x in the lower 16 bits and y in the upper: samples at most as many as rays in
-    /// a wave, which no film gets.
+    /// Shows `observer` the waves of the same samples of several pixels, x in the lower 16 bits and y in the upper: at most as many samples in all
+    /// as rays in a wave. No film gets them.
     void show(const std::vector<uint> &pixels, uint first, uint samples, WaveObserver &observer);
 
     /// Looks from another camera, whose eye is in the same media, from the next render on.

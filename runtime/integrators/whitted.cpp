@@ -46,7 +46,8 @@ public:
           no_tints_(job.device, 0),
           no_spectra_(job.device, 0),
           counter_(job.device, generate_.work_items(job.batch) * std::clamp(light_count_, 1u, lights_per_block)) {
-        if (traces_packets(job.device, job.compiled)) intersect_packets_.emplace(job.device, "kernels/stages/intersect_packets.cl", "intersect_packets", scene_.lists());
+        if (traces_packets(job.device, job.compiled))
+            intersect_packets_.emplace(job.device, "kernels/stages/intersect_packets.cl", "intersect_packets", scene_.lists());
         if (branching_ > 0 || !intersect_packets_) intersect_.emplace(job.device, "kernels/stages/intersect.cl", "intersect", scene_.lists());
         if (branching_ > 0) secondary_.emplace(job, branching_);
         if (job.compiled.transmits) media_.emplace(job);

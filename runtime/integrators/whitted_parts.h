@@ -65,7 +65,8 @@ struct Shadows {
           rays(job.device, std::size_t{stride} * rows),
           visible(job.device, std::size_t{stride} * rows),
           live(job.device, std::size_t{stride} * rows) {
-        if (traces_packets(job.device, job.compiled)) trace_packets.emplace(job.device, "kernels/stages/trace_shadow_rays.cl", "trace_shadow_rays", job.on_device.lists());
+        if (traces_packets(job.device, job.compiled))
+            trace_packets.emplace(job.device, "kernels/stages/trace_shadow_rays.cl", "trace_shadow_rays", job.on_device.lists());
     }
     uint stride, rows;
     Kernel spawn, trace_singly;

@@ -51,8 +51,8 @@ TEST(RaySample, HasTheRaysOfARender) {
         EXPECT_GT(queue.count(), 0) << "the scene has all";
         EXPECT_EQ(queue.sources.size(), queue.rays.size());
         for (const Ray &ray : queue.rays) {
-            if (queue.use == secondary) EXPECT_EQ(RAY_KIND(ray.tag), RAY_REFLECTED);
-            if (queue.shadow) EXPECT_LT(ray.t_max, 20) << "ends at the light";
+            EXPECT_EQ(RAY_KIND(ray.tag), queue.shadow ? RAY_SHADOW : queue.use == secondary ? RAY_REFLECTED : RAY_CAMERA);
+            EXPECT_EQ(ray.t_max < 20, queue.shadow) << "ends at the light";
         }
     }
 }

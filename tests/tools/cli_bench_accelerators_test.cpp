@@ -1,7 +1,7 @@
 /// brandung bench accelerators.
 #include <gtest/gtest.h>
 
-#include <csignal>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/tools/runs.h"
@@ -19,7 +19,7 @@ std::vector<std::string> command(const std::string &scene, const std::vector<std
 
 }  // namespace
 
-/// One sphere in the middle of 32 x 24 pixels: half of the primary rays' tests are known, of random rays all are compared.
+/// One sphere in 32 x 24 pixels, nothing of which mirrors.
 TEST(CliBenchAccelerators, GivesARowForEachSceneAndAccelerator) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("one.json", native_scene());
@@ -39,7 +39,8 @@ TEST(CliBenchAccelerators, GivesARowForEachSceneAndAccelerator) {
         EXPECT_NEAR(camera.at("seconds").get<double>() * camera.at("rays_per_second").get<double>(), 32 * 24, 1e-6);
         EXPECT_EQ(row.at("rays").at("secondary").at("rays"), 0);
         EXPECT_TRUE(row.at("rays").at("secondary").at("rays_per_second").is_null());
-        EXPECT_EQ(row.at("rays").at("shadow").at("rays"), camera.at("hits")) << "those that face the light, all from here";
+        EXPECT_GT(row.at("rays").at("shadow").at("rays"), 0);
+        EXPECT_LT(row.at("rays").at("shadow").at("rays"), camera.at("hits")) << "some of what the eye sees turns away from the light";
         EXPECT_EQ(row.at("rays").at("random").at("rays"), 2 * 4000);
     }
     EXPECT_EQ(rows[1].at("rays").at("camera").at("N_IT"), 1) << "none tests every primitive";
