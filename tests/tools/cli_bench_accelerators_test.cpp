@@ -19,6 +19,17 @@ std::vector<std::string> command(const std::string &scene, const std::vector<std
 
 }  // namespace
 
+/// What lists no primitives in cells makes as many tests as it says; a wide BVH has leaves, which are cells.
+TEST(CliBenchAccelerators, CountsTheTestsOfStructuresWithoutLists) {
+    const TemporaryFolder folder;
+    const Finished run = run_program({"bench", "accelerators", folder.write("one.json", native_scene()), "--quiet", "--only", "wide_bvh", "--json"});
+    expect_success(run);
+    const json camera = json::parse(run.out).at("accelerators").at(0).at("rays").at("camera");
+    EXPECT_GT(camera.at("tests"), 0);
+    EXPECT_GT(camera.at("N_ETS"), 0);
+    EXPECT_EQ(camera.at("N_IT"), camera.at("tests"));
+}
+
 /// One sphere in 32 x 24 pixels, nothing of which mirrors.
 TEST(CliBenchAccelerators, GivesARowForEachSceneAndAccelerator) {
     const TemporaryFolder folder;

@@ -89,6 +89,7 @@ void add_bench_accelerators(CLI::App &bench, int &status) {
     command->footer(
         "The rays are those of the first sample of every pixel, as the scene's integrator begins them: camera rays, secondary (mirrored and\n"
         "refracted) and shadow rays. Each accelerator traces them by the kernels that a render takes.\n"
+        "packets: whether it has kernels for packets of coherent rays too: M/s compares structures only where this is the same.\n"
         "build s: building it, once. B/primitive: of nodes, and of blocks with the objects in them, per primitive and instance.\n"
         "tests: primitives that a ray is tested against. steps: nodes or cells that it comes to. Both on average over rays one by one. A render\n"
         "traces coherent rays in packets, which share steps and pass over objects by their boxes: tests times M/s is no rate of tests.\n"

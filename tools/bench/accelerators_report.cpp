@@ -9,13 +9,13 @@ namespace {
 
 using nlohmann::json;
 
-/// N_IT, N_TS, N_ETS and N_EETS are Havran's and Sixta's (see kernels/accelerators/work.h): per ray. N_IT is what structures with cells would test
-/// without mailboxes.
+/// N_IT, N_TS, N_ETS and N_EETS are Havran's and Sixta's (see kernels/accelerators/work.h): per ray. Of structures that list
+/// primitives in cells N_IT is what they would test without mailboxes, of others what they do test.
 json work_json(const WorkSums &work) {
     const auto per_ray = [&](std::uint64_t sum) { return work.rays == 0 ? json() : json(double(sum) / double(work.rays)); };
     json all = {{"rays", work.rays},
                 {"hits", work.hits},
-                {"N_IT", per_ray(work.cells > 0 ? work.listed : work.tests)},
+                {"N_IT", per_ray(work.listed > 0 ? work.listed : work.tests)},
                 {"N_TS", per_ray(work.steps)},
                 {"N_ETS", per_ray(work.cells)},
                 {"N_EETS", per_ray(work.empty_cells)},
@@ -53,9 +53,10 @@ std::string cell(const json &value, double factor, int width, int digits) {
 }
 
 std::string line(const json &row, int of_scene) {
-    std::string text = fmt::format("{:<{}}{:<16}{:>9.4f}{:>8.1f}{:>8.1f}", row["scene"].get<std::string>(), of_scene,
-                                   row["accelerator"].get<std::string>(), row["build_seconds"].get<double>(),
-                                   row["node_bytes_per_primitive"].get<double>(), row["block_bytes_per_primitive"].get<double>());
+    std::string text =
+        fmt::format("{:<{}}{:<16}{:>8}{:>9.4f}{:>8.1f}{:>8.1f}", row["scene"].get<std::string>(), of_scene, row["accelerator"].get<std::string>(),
+                    row["packets"].get<bool>() ? "yes" : "no", row["build_seconds"].get<double>(), row["node_bytes_per_primitive"].get<double>(),
+                    row["block_bytes_per_primitive"].get<double>());
     for (const char *use : {"camera", "secondary", "shadow"}) {
         const json &rays = row["rays"][use];
         text += " " + cell(rays["tests"], 1, 9, 2) + cell(rays["N_TS"], 1, 8, 2) + cell(rays["rays_per_second"], 1e-6, 8, 3);
@@ -96,9 +97,9 @@ std::string accelerators_text(const json &rows) {
     std::size_t of_scene = 6;
     for (const json &row : rows) of_scene = std::max(of_scene, row["scene"].get<std::string>().size() + 1);
     const int width = static_cast<int>(of_scene);
-    std::string text = fmt::format("{:<{}}{:<16}{:>9}{:>16} {:>25} {:>25} {:>25}\n", "", width, "", "", "B/primitive", "camera rays",
+    std::string text = fmt::format("{:<{}}{:<16}{:>8}{:>9}{:>16} {:>25} {:>25} {:>25}\n", "", width, "", "", "", "B/primitive", "camera rays",
                                    "secondary rays", "shadow rays");
-    text += fmt::format("{:<{}}{:<16}{:>9}{:>8}{:>8}", "scene", width, "accelerator", "build s", "nodes", "blocks");
+    text += fmt::format("{:<{}}{:<16}{:>8}{:>9}{:>8}{:>8}", "scene", width, "accelerator", "packets", "build s", "nodes", "blocks");
     for (int use = 0; use < 3; ++use) text += fmt::format(" {:>9}{:>8}{:>8}", "tests", "steps", "M/s");
     text += fmt::format("{:>10}{:>10}\n", "trace s", "different");
     for (const json &row : rows) text += line(row, width);
