@@ -12,15 +12,12 @@
 namespace brandung {
 namespace {
 
-CompiledScene compiled_with(Scene &scene, const std::string &accelerator) {
-    scene.accelerator = accelerator;
-    return compile(scene);
-}
-
 /// A scene with one of its accelerators on the device.
 struct Candidate {
-    Candidate(Device &device, Scene &scene, const std::string &accelerator, uint batch)
-        : compiled(compiled_with(scene, accelerator)), on_device(device, compiled), tracing(device, compiled, on_device, batch) {}
+    Candidate(Device &device, const Scene &scene, const std::string &accelerator, uint batch)
+        : compiled(compile(scene, {.accelerator = &find_accelerator(accelerator)})),
+          on_device(device, compiled),
+          tracing(device, compiled, on_device, batch) {}
     CompiledScene compiled;
     DeviceScene on_device;
     RayTracing tracing;
@@ -42,7 +39,8 @@ std::size_t place(RayQueue::Use use) { return static_cast<std::size_t>(use); }
 
 class Comparison {
 public:
-    Comparison(Job &job, Scene &scene, const AcceleratorTrial &trial) : trial_(trial), name_(std::filesystem::path(scene.file).stem().string()) {
+    Comparison(Job &job, const AcceleratorTrial &trial) : trial_(trial), name_(std::filesystem::path(job.scene.file).stem().string()) {
+        const Scene &scene = job.scene;
         queues_ = sample_rays(job.renderer, scene.film.window(), trial.batch, trial.most_rays, [&](double part) { return goes_on("rays", part); });
         for (RayQueue &queue : random_rays(scene, trial.random_rays)) queues_.push_back(std::move(queue));
         if (trial.check) reference_.emplace(job.device, scene, "none", trial.batch);
@@ -123,8 +121,8 @@ std::uint64_t AcceleratorRow::different() const {
     return sum;
 }
 
-std::vector<AcceleratorRow> try_accelerators(Job &job, Scene &scene, const AcceleratorTrial &trial) {
-    Comparison comparison(job, scene, trial);
+std::vector<AcceleratorRow> try_accelerators(Job &job, const AcceleratorTrial &trial) {
+    Comparison comparison(job, trial);
     bool goes_on = comparison.count();
     for (uint round = 0; goes_on && round < trial.runs; ++round) goes_on = comparison.measure(round);
     return std::move(comparison.rows);

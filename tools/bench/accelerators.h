@@ -40,8 +40,8 @@ struct AcceleratorTrial {
     std::function<bool()> goes_on;  ///< false ends it: rows have what was measured until then
 };
 
-/// Rows in the order of the names. Changes the accelerator of `scene`, which is the job's. Answers of the stages of renders are compared with those
-/// of the kernels that count, and with those of `none` if asked.
-std::vector<AcceleratorRow> try_accelerators(Job &job, Scene &scene, const AcceleratorTrial &trial);
+/// Rows in the order of the names. Answers of the stages of renders are compared with those of the kernels that count, and with those of `none` if
+/// asked.
+std::vector<AcceleratorRow> try_accelerators(Job &job, const AcceleratorTrial &trial);
 
 }  // namespace brandung

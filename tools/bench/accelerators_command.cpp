@@ -47,7 +47,7 @@ void add_circumstances(json &all, const Device &device, const Options &options) 
 /// The rows of one scene are added to the list.
 void add_scene(json &all, Options options, const std::string &file, ProgressLine &progress) {
     options.scene = file;
-    Scene scene = read_scene(options);
+    const Scene scene = read_scene(options);
     Job job(scene, options);
     const AcceleratorTrial trial{.accelerators = chosen_accelerators(options.only),
                                  .runs = options.runs,
@@ -57,7 +57,7 @@ void add_scene(json &all, Options options, const std::string &file, ProgressLine
                                  .check = options.check,
                                  .tell = [&](const std::string &what) { progress.report(what); },
                                  .goes_on = [] { return !is_interrupted(); }};
-    for (const AcceleratorRow &row : try_accelerators(job, scene, trial)) all["accelerators"].push_back(accelerator_json(row));
+    for (const AcceleratorRow &row : try_accelerators(job, trial)) all["accelerators"].push_back(accelerator_json(row));
     add_circumstances(all, job.device, options);
 }
 
@@ -70,6 +70,7 @@ int run(const Options &options) {
         if (!is_interrupted()) add_scene(all, options, file, progress);
     progress.clear();
     all["interrupted"] = is_interrupted();
+    if (is_interrupted()) fmt::print(stderr, "interrupted: rows are of the rays and rounds until then\n");
     print_result(options.as_json ? all.dump(2) + "\n" : accelerators_text(all["accelerators"]));
     if (is_interrupted()) return interrupted_status;
     for (const json &row : all["accelerators"])
