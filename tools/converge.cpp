@@ -102,7 +102,7 @@ std::vector<ForeignSeries> read_foreign(const Options &options, const std::vecto
     return all;
 }
 
-Reference rendered_reference(const Options &options, const Climbers &climbers, Teller &teller) {
+ReferencePicture rendered_reference(const Options &options, const Climbers &climbers, Teller &teller) {
     const uint last = options.rungs.samples.empty() ? 0 : options.rungs.samples.back();
     const uint spp = options.reference_spp.value_or(std::min(last, max_samples / reference_factor) * reference_factor);
     if (options.reference_settings.empty()) return render_reference(*climbers.front(), spp, teller);
@@ -112,14 +112,14 @@ Reference rendered_reference(const Options &options, const Climbers &climbers, T
 }
 
 /// `saved` gets the file to which it was written, if it was.
-Reference find_reference(const Options &options, const Climbers &climbers, Teller &teller, std::string &saved) {
+ReferencePicture find_reference(const Options &options, const Climbers &climbers, Teller &teller, std::string &saved) {
     if (!options.renders_reference()) return read_reference(options.reference);
-    Reference reference = rendered_reference(options, climbers, teller);
+    ReferencePicture reference = rendered_reference(options, climbers, teller);
     if (!options.saved_reference.empty()) write_reference(options.saved_reference, reference), saved = options.saved_reference;
     return reference;
 }
 
-void check_size(const Reference &reference, const Window &window) {
+void check_size(const ReferencePicture &reference, const Window &window) {
     if (reference.picture.width != window.width() || reference.picture.height != window.height())
         throw SceneError(fmt::format("{}: has {} x {} pixels, not {} x {}", reference.name, reference.picture.width, reference.picture.height,
                                      window.width(), window.height()));
@@ -134,7 +134,7 @@ void check_parts(const Climbers &climbers, const std::string &name, const Way &e
 }
 
 /// Of series in the order of their climbers.
-void add_ways(const Climbers &climbers, const Reference &reference, std::vector<Series> &all) {
+void add_ways(const Climbers &climbers, const ReferencePicture &reference, std::vector<Series> &all) {
     for (std::size_t i = 0; i < climbers.size(); ++i) {
         all[i].way = climbers[i]->way();
         all[i].departures = departures(climbers[i]->way(), reference.way ? *reference.way : climbers.front()->way());
@@ -148,7 +148,7 @@ std::size_t count_runs(const std::vector<Series> &all) {
 }
 
 /// What is known of the ways and the reference before anything is measured.
-std::vector<std::string> early_warnings(const Climbers &climbers, const Reference &reference) {
+std::vector<std::string> early_warnings(const Climbers &climbers, const ReferencePicture &reference) {
     std::vector<Series> expected = series_of(climbers);
     add_ways(climbers, reference, expected);
     std::vector<std::string> warnings = warnings_of_departures(expected, reference);
@@ -157,7 +157,7 @@ std::vector<std::string> early_warnings(const Climbers &climbers, const Referenc
 }
 
 /// Climbs, and measures the pictures of other renderers too. Throws Interrupted before the first run has ended.
-Convergence measure(const Options &options, const Climbers &climbers, std::vector<ForeignSeries> foreign, const Reference &reference,
+Convergence measure(const Options &options, const Climbers &climbers, std::vector<ForeignSeries> foreign, const ReferencePicture &reference,
                     Teller &teller) {
     const Job &job = climbers.front()->job();
     const Window window = job.scene.film.window();
@@ -176,7 +176,7 @@ Convergence measure(const Options &options, const Climbers &climbers, std::vecto
 }
 
 /// What follows from the series. Warnings that were not known before are told.
-void conclude(Convergence &all, const Reference &reference, Teller &teller) {
+void conclude(Convergence &all, const ReferencePicture &reference, Teller &teller) {
     const auto targets = round_targets(all.series);
     for (const Series &series : all.series) all.summaries.push_back(summarize(series, targets, reference.noise));
     all.warnings = warnings_of_departures(all.series, reference);
@@ -208,7 +208,7 @@ bool run(Options &options, std::string &saved) {
     for (const auto &climber : climbers) climber->prepare();
     check_parts(climbers, climbers.front()->name(), climbers.front()->way());
 
-    const Reference reference = find_reference(options, climbers, teller, saved);
+    const ReferencePicture reference = find_reference(options, climbers, teller, saved);
     if (reference.way) check_parts(climbers, reference.name, *reference.way);
     check_size(reference, window);
     for (const auto &climber : climbers) warm_up(*climber, teller);

@@ -21,10 +21,17 @@ std::string check_trust(const DeviceInfo &device, bool take_it_all_the_same) {
     return trust.why_not;
 }
 
-Device select_device(const SceneOptions &options, JobWatch &watch) {
+Device select_device(const SceneOptions &options, const JobWatch &watch) {
     Device device = Device::select(options.device, options.threads);
-    device.on_build(std::move(watch.on_build)), device.on_built(std::move(watch.on_built)), device.on_launch(std::move(watch.on_launch));
+    device.on_build(watch.on_build), device.on_built(watch.on_built), device.on_launch(watch.on_launch);
     return device;
+}
+
+/// What `auto` takes, if the scene asks for it. It has the device to itself, so that what it launches counts for no render.
+std::optional<AcceleratorChoice> choose(const Scene &scene, const CameraDescription &camera, const SceneOptions &options, const JobWatch &watch) {
+    if (scene.accelerator != "auto") return {};
+    Device device = Device::select(options.device, options.threads);
+    return choose_accelerator(device, scene, camera, options.batch, {watch.on_trial, watch.on_accelerator});
 }
 
 }  // namespace
@@ -32,9 +39,11 @@ Device select_device(const SceneOptions &options, JobWatch &watch) {
 Job::Job(const Scene &scene, const SceneOptions &options, JobWatch watch, const StopRules &stop)
     : scene(scene),
       camera(chosen_camera(scene, options.camera)),
-      compiled(timed(seconds.scene, [&] { return compile(scene, {.watch = watch.on_accelerator}); })),
       device(timed(seconds.device, [&] { return select_device(options, watch); })),
       distrust(check_trust(device.info(), options.untrusted_device)),
+      choice(timed(seconds.choice, [&] { return choose(scene, camera, options, watch); })),
+      compiled(timed(seconds.scene,
+                     [&] { return compile(scene, {.accelerator = choice ? choice->trials.front().kind : nullptr, .watch = watch.on_accelerator}); })),
       on_device(timed(seconds.device, [&] { return DeviceScene(device, compiled); })),
       film(timed(seconds.kernels, [&] { return Film(device, scene.film.window()); })),
       aovs(timed(seconds.kernels,

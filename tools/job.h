@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "runtime/accelerators/choose_accelerator.h"
 #include "runtime/opencl/seconds_now.h"
 #include "runtime/renderer.h"
 #include "tools/scene_options.h"
@@ -14,6 +15,7 @@ namespace brandung {
 struct PhaseSeconds {
     double read = 0;         ///< the scene file
     double scene = 0;        ///< from the scene to its arena, but for the accelerator
+    double choice = 0;       ///< trying accelerators, for `auto`
     double accelerator = 0;  ///< building it
     double device = 0;       ///< choosing the device, and copying the arena to it
     double kernels = 0;      ///< building them, and allocating what they work on
@@ -37,6 +39,7 @@ struct JobWatch {
     std::function<void(const Launch &)> on_launch;
     WatchSteps on_step;
     WatchAccelerator on_accelerator{};
+    std::function<void(const AcceleratorKind &)> on_trial{};  ///< before `auto` tries one
 };
 
 struct Job {
@@ -52,9 +55,10 @@ struct Job {
     PhaseSeconds seconds;
     const Scene &scene;
     const CameraDescription &camera;
-    CompiledScene compiled;
     Device device;
-    std::string distrust;  ///< which self-test the device has failed, where it was taken all the same; empty else
+    std::string distrust;                     ///< which self-test the device has failed, where it was taken all the same; empty else
+    std::optional<AcceleratorChoice> choice;  ///< where the scene's accelerator is `auto`
+    CompiledScene compiled;
     DeviceScene on_device;
     Film film;
     std::optional<Aovs> aovs;  ///< if the scene asks for any

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "runtime/opencl/seconds_now.h"
+#include "scene/accelerators/accelerator.h"
 #include "scene/error.h"
 #include "scene/image.h"
 #include "scene/output.h"
@@ -43,6 +44,7 @@ void check_files(const RenderCommandOptions &options, const Scene &scene) {
 /// The preview and the trace look at what a job does, where there are any.
 JobWatch watch_of(Preview &preview, std::optional<Trace> &trace, ProgressLine &progress, const std::function<void(const std::string &)> &say) {
     JobWatch watch{.on_build = [&say](const std::string &file) { say("building " + file); }, .on_built = {}, .on_launch = {}, .on_step = {}};
+    watch.on_trial = [&say](const AcceleratorKind &kind) { say(fmt::format("trying the accelerator {}", kind.name)); };
     watch.on_accelerator = [&progress](const AcceleratorKind &kind, double part) { progress.show_building(kind, part); };
     if (trace) {
         watch.on_built = [&trace](const Build &build) { trace->add(build); };

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "scene/accelerators/accelerator.h"
 #include "scene/aovs/aov.h"
@@ -17,13 +18,15 @@ namespace {
 
 using nlohmann::json;
 
-std::vector<std::string> features_in_use(const Scene &scene, const CompiledScene &compiled) {
+std::vector<std::string> features_in_use(const Job &job) {
+    const Scene &scene = job.scene;
+    const CompiledScene &compiled = job.compiled;
     std::vector<std::string> used;
     for (const PrimitiveKind *kind : compiled.primitives) used.push_back(std::string("primitive ") + kind->name);
     for (const uint kind : compiled.bsdfs) used.push_back(std::string("material ") + bsdf_kinds()[kind].name);
     for (const uint kind : compiled.lights) used.push_back(std::string("light ") + light_kinds()[kind].name);
     if (compiled.emissive_instances) used.push_back("emissive shapes of instances as lights");
-    used.push_back(std::string("accelerator ") + compiled.accelerator->name);
+    used.push_back(fmt::format("accelerator {}{}", compiled.accelerator->name, job.choice ? ", " + text_of(*job.choice) : ""));
     used.push_back(std::string("sampler ") + sampler_kinds()[compiled.sampler].name);
     used.push_back(std::string("filter ") + filter_kinds()[compiled.filter].name);
     for (const uint aov : scene.film.aovs) used.push_back(std::string("AOV ") + aov_kinds()[aov].name);
@@ -68,11 +71,24 @@ std::vector<Skipped> all_skipped(const Job &job) {
 }
 
 json phases(const PhaseSeconds &seconds) {
-    json phases = {{"read", seconds.read},     {"scene", seconds.scene},     {"accelerator", seconds.accelerator},
-                   {"device", seconds.device}, {"kernels", seconds.kernels}, {"render", seconds.render}};
+    json phases = {
+        {"read", seconds.read},     {"accelerator_choice", seconds.choice}, {"scene", seconds.scene},  {"accelerator", seconds.accelerator},
+        {"device", seconds.device}, {"kernels", seconds.kernels},           {"render", seconds.render}};
     if (seconds.write) phases["write"] = *seconds.write;
     if (seconds.total) phases["total"] = *seconds.total;
     return phases;
+}
+
+/// What `auto` expects of each accelerator for this render; what it gave up has no time to trace. Null where it did not choose.
+json choice(const Job &job) {
+    if (!job.choice) return nullptr;
+    json trials = json::array();
+    for (const TriedAccelerator &trial : job.choice->trials) {
+        const bool given_up = std::isinf(trial.trace_seconds);
+        trials.push_back(
+            {{"name", trial.kind->name}, {"build_seconds", trial.build_seconds}, {"trace_seconds", given_up ? json() : json(trial.trace_seconds)}});
+    }
+    return {{"rays", job.choice->rays}, {"rays_tried", job.choice->rays_tried}, {"accelerators", trials}};
 }
 
 }  // namespace
@@ -116,7 +132,7 @@ json features(const Job &job) {
     for (const Skipped &one : all_skipped(job)) skipped.push_back({{"name", one.name}, {"why", one.why}});
     json not_shown = json::array();
     for (const NotShown &one : job.renderer.integrator().not_shown()) not_shown.push_back({{"name", one.name}, {"why", one.why}});
-    return {{"used", features_in_use(job.scene, job.compiled)}, {"skipped", skipped}, {"not_shown", not_shown}};
+    return {{"used", features_in_use(job)}, {"skipped", skipped}, {"not_shown", not_shown}};
 }
 
 std::string explain(const json &features) {
@@ -164,6 +180,7 @@ json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &en
             {"distrust", job.distrust},
             {"integrator", job.scene.integrator.type},
             {"accelerator", job.compiled.accelerator->name},
+            {"accelerator_choice", choice(job)},
             {"width", film.width},
             {"height", film.height},
             {"window", {window.left, window.top, window.right, window.bottom}},

@@ -42,7 +42,7 @@ struct AcceleratorKind {
     BuiltAccelerator (*build)(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress);
 };
 const std::vector<AcceleratorKind> &accelerator_kinds();
-/// Throws SceneError with the list of names. "auto" is the default accelerator.
+/// Throws SceneError with the list of names. Where nothing can be tried "auto" is the default, the first.
 const AcceleratorKind &find_accelerator(const std::string &name);
 
 }  // namespace brandung

@@ -15,7 +15,8 @@ void check_interruption() {
 }
 
 /// One picture of one way, and its errors; nothing if that is interrupted.
-std::optional<Run> run_once(const Plan &plan, Climber &climber, std::size_t rung, uint repetition, const Reference &reference, Teller &teller) {
+std::optional<Run> run_once(const Plan &plan, Climber &climber, std::size_t rung, uint repetition, const ReferencePicture &reference,
+                            Teller &teller) {
     const Rungs &rungs = plan.rungs;
     const bool by_time = rungs.samples.empty();
     const auto observe = teller.observer(
@@ -46,7 +47,7 @@ void Teller::warn(const std::string &text) {
     fmt::print(stderr, "warning: {}\n", text);
 }
 
-Reference render_reference(Climber &climber, uint spp, Teller &teller) {
+ReferencePicture render_reference(Climber &climber, uint spp, Teller &teller) {
     const std::string name = fmt::format("{} spp of {}", spp, climber.name());
     teller.note("reference: " + name);
     Climber::Result result = climber.render(spp, reference_seed, {}, teller.observer("reference"));
@@ -65,7 +66,8 @@ std::vector<Series> series_of(const std::vector<std::unique_ptr<Climber>> &climb
     return all;
 }
 
-std::vector<Series> climb(const Plan &plan, const std::vector<std::unique_ptr<Climber>> &climbers, const Reference &reference, Teller &teller) {
+std::vector<Series> climb(const Plan &plan, const std::vector<std::unique_ptr<Climber>> &climbers, const ReferencePicture &reference,
+                          Teller &teller) {
     std::vector<Series> all = series_of(climbers);
     for (std::size_t rung = 0; rung < plan.rungs.count(); ++rung) {
         for (uint repetition = 0; repetition < plan.repetitions; ++repetition)

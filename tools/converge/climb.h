@@ -31,12 +31,12 @@ struct Plan {
 };
 
 /// So many samples of the climber's picture. Throws Interrupted.
-Reference render_reference(Climber &climber, uint spp, Teller &teller);
+ReferencePicture render_reference(Climber &climber, uint spp, Teller &teller);
 /// Renders a little, so that what drivers still compile then is not timed. Throws Interrupted.
 void warm_up(Climber &climber, Teller &teller);
 /// One for each climber, without a run yet.
 std::vector<Series> series_of(const std::vector<std::unique_ptr<Climber>> &climbers);
 /// Rungs one after another, and on each every way with every seed, so that all share what else the machine does; until the program is interrupted.
-std::vector<Series> climb(const Plan &plan, const std::vector<std::unique_ptr<Climber>> &climbers, const Reference &reference, Teller &teller);
+std::vector<Series> climb(const Plan &plan, const std::vector<std::unique_ptr<Climber>> &climbers, const ReferencePicture &reference, Teller &teller);
 
 }  // namespace brandung

@@ -33,8 +33,8 @@ std::map<std::string, std::string> biases_in(const std::string &names) {
 
 }  // namespace
 
-Reference read_reference(const std::string &file) {
-    Reference reference{read_picture(file), file};
+ReferencePicture read_reference(const std::string &file) {
+    ReferencePicture reference{read_picture(file), file};
     const auto &metadata = reference.picture.metadata;
     reference.noise = number_in<double>(metadata, "noise");
     reference.seed = number_in<uint>(metadata, "seed");
@@ -46,7 +46,7 @@ Reference read_reference(const std::string &file) {
     return reference;
 }
 
-void write_reference(const std::string &file, const Reference &reference) {
+void write_reference(const std::string &file, const ReferencePicture &reference) {
     Picture picture = reference.picture;
     picture.metadata = {{"Software", program_version()}, {"brandung:reference", reference.name}};
     for (const auto &[name, value] : reference.way.value().settings) picture.metadata[std::string(prefix) + name] = value;

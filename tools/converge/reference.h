@@ -7,7 +7,7 @@
 
 namespace brandung {
 
-struct Reference {
+struct ReferencePicture {
     Picture picture;
     std::string name;
     std::optional<double> noise = {};  ///< its own, relMSE
@@ -16,9 +16,9 @@ struct Reference {
 };
 
 /// A picture of this program says in its metadata how it was rendered. Throws SceneError.
-Reference read_reference(const std::string &file);
+ReferencePicture read_reference(const std::string &file);
 /// So that read_reference() finds all of it again; in a format that stores floats and metadata. Throws SceneError.
-void write_reference(const std::string &file, const Reference &reference);
+void write_reference(const std::string &file, const ReferencePicture &reference);
 /// Throws SceneError if that could not be written.
 void check_reference_writable(const std::string &file, uint width, uint height);
 

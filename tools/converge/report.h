@@ -26,11 +26,12 @@ struct Convergence {
 };
 
 /// Which series converge to something else than the reference.
-std::vector<std::string> warnings_of_departures(const std::vector<Series> &series, const Reference &reference);
+std::vector<std::string> warnings_of_departures(const std::vector<Series> &series, const ReferencePicture &reference);
 /// If the reference seems to have been cut at 1, as pictures of integers are.
-std::optional<std::string> warning_of_cut(const Reference &reference);
+std::optional<std::string> warning_of_cut(const ReferencePicture &reference);
 /// Which rungs come near the reference's own noise, or that it is not known.
-std::vector<std::string> warnings_of_noise(const std::vector<Series> &series, const std::vector<Summary> &summaries, const Reference &reference);
+std::vector<std::string> warnings_of_noise(const std::vector<Series> &series, const std::vector<Summary> &summaries,
+                                           const ReferencePicture &reference);
 /// Names are a promise.
 nlohmann::json convergence_json(const Convergence &convergence);
 /// One line per run: series, rung, seed, samples, seconds, each measure, and 1 for runs of rungs near the reference's noise.

@@ -29,7 +29,7 @@ std::string near_reference(const std::string &name, const Summary &summary, doub
 
 }  // namespace
 
-std::vector<std::string> warnings_of_departures(const std::vector<Series> &series, const Reference &reference) {
+std::vector<std::string> warnings_of_departures(const std::vector<Series> &series, const ReferencePicture &reference) {
     std::vector<std::string> warnings;
     for (const Series &each : series) {
         if (each.departures.empty()) continue;
@@ -39,7 +39,7 @@ std::vector<std::string> warnings_of_departures(const std::vector<Series> &serie
     return warnings;
 }
 
-std::optional<std::string> warning_of_cut(const Reference &reference) {
+std::optional<std::string> warning_of_cut(const ReferencePicture &reference) {
     std::size_t ones = 0;
     for (const vec3 &pixel : reference.picture.pixels)
         for (int c = 0; c < 3; ++c) {
@@ -53,7 +53,8 @@ std::optional<std::string> warning_of_cut(const Reference &reference) {
         reference.name, 100.0 * static_cast<double>(ones) / static_cast<double>(3 * reference.picture.pixels.size()));
 }
 
-std::vector<std::string> warnings_of_noise(const std::vector<Series> &series, const std::vector<Summary> &summaries, const Reference &reference) {
+std::vector<std::string> warnings_of_noise(const std::vector<Series> &series, const std::vector<Summary> &summaries,
+                                           const ReferencePicture &reference) {
     if (!reference.noise) return {reference.name + ": nothing is known of this reference's own noise, which limits the smallest errors"};
     std::vector<std::string> warnings;
     for (std::size_t i = 0; i < series.size(); ++i)
