@@ -58,6 +58,20 @@ TEST(CliBenchAccelerators, GivesARowForEachSceneAndAccelerator) {
     EXPECT_EQ(rows[1].at("rays").at("camera").at("tests_made"), 8) << "in a block of 8";
 }
 
+/// With the kernels that the bench has built.
+TEST(CliAuto, SaysWhatItHasTriedAndWhy) {
+    const TemporaryFolder folder;
+    const Finished run = run_program({"render", folder.write("one.json", native_scene()), "--accelerator", "auto", "-o", folder.path("one.png"),
+                                      "--stats", folder.path("one.stats.json"), "--explain"});
+    expect_success(run);
+    const json statistics = json::parse(read_file(folder.path("one.stats.json"))), &choice = statistics.at("accelerator_choice");
+    ASSERT_GE(choice.at("accelerators").size(), 4u);
+    EXPECT_EQ(choice.at("accelerators")[0].at("name"), statistics.at("accelerator"));
+    EXPECT_GE(choice.at("rays"), statistics.at("rays").at("camera"));
+    EXPECT_GT(statistics.at("seconds").at("accelerator_choice"), 0);
+    EXPECT_NE(run.out.find("chosen by auto"), std::string::npos) << run.out;
+}
+
 TEST(CliBenchAccelerators, PrintsATable) {
     const TemporaryFolder folder;
     const Finished run = run_program(command(folder.write("one.json", native_scene()), {"--rays", "100"}));
