@@ -15,6 +15,7 @@ namespace {
 Scene small_scene() {
     Scene scene = empty_scene();
     add_soup(scene, 0, {.counts = {{"sphere", 200}}, .size = 0.2f});
+    scene.cameras.push_back({.name = "camera", .from = {0, 0, 4}, .at = {0, 0, 0}});
     scene.film.width = scene.film.height = 64;
     return scene;
 }
