@@ -90,7 +90,7 @@ struct Scene {
     float background_turn = 0;    ///< by which it is turned about the y axis [turns]
     FilmSettings film;
     IntegratorSettings integrator;
-    std::string accelerator = "wide_bvh";  ///< or "auto", see runtime/accelerators/choose_accelerator.h
+    std::string accelerator = "wide_bvh";               ///< or "auto", see runtime/accelerators/choose_accelerator.h
     std::map<std::string, uint> warnings;               ///< text -> how often
     std::map<std::string, std::string> warning_places;  ///< text -> where first, as "file:line", if that is known
     std::vector<std::string> notes;                     ///< what was chosen where the file says nothing, a line each

@@ -18,11 +18,11 @@
 namespace brandung {
 namespace {
 
-/// What tests cost a ray [ns], on the CPU that `brandung bench volumes` ran on when these were taken: only their ratios matter.
-constexpr double box_cost = 3;                                  ///< of a node, its place on the stack included
-constexpr double volume_costs[VOLUME_KINDS] = {0, 2, 5, 6, 4};  ///< beside that of the box, by kind
-constexpr double block_cost = 12;                               ///< of a block of primitives
-constexpr uint serial_below = 4096;                             ///< references of a subtree that is one task
+/// What tests cost a ray [ns of one core], as `brandung bench volumes` gave them on a CPU with AVX-512: only their ratios matter.
+constexpr double box_cost = 9;
+constexpr double volume_costs[VOLUME_KINDS] = {0, 7.6, 14, 12.5, 7.4};  ///< beside that of the box, by kind
+constexpr double block_cost = 14;                                       ///< of a block of primitives: spheres 6, frusta 16, triangles 19
+constexpr uint serial_below = 4096;                                     ///< references of a subtree that is one task
 
 /// A node while it is built.
 struct Group {

@@ -91,3 +91,11 @@ TEST(CliBenchAccelerators, SaysWhatItWasToldWrongly) {
     EXPECT_EQ(unknown.status, 1);
     EXPECT_NE(unknown.err.find("\"kd\" is not known"), std::string::npos) << unknown.err;
 }
+
+TEST(CliBenchVolumes, MeasuresEveryTest) {
+    const Finished run = run_program({"bench", "volumes", "--json"});
+    expect_success(run);
+    const json costs = json::parse(run.out).at("nanoseconds");
+    EXPECT_EQ(costs.size(), 8u);
+    for (const char *name : {"box", "block of spheres", "block of triangles", "block of frusta"}) EXPECT_GT(costs.at(name), 0) << name;
+}
