@@ -3,8 +3,9 @@
 // and cell_walk_next(), the list of the next cell in which there is something, or NO_ITEMS at the end, which is where the ray is at its t_max.
 //
 // A hit counts wherever it lies, in this cell, before it or beyond: what is nearer shortens the ray, and so the walk ends only when the ray enters no
-// cell before the hit. Since a primitive is listed wherever its box has a part, and the walk misses no cell that the ray comes through within its
-// pad (see lane_ray.cl), whatever `none` finds is found.
+// cell before the hit. `none` finds a hit only if the ray meets the primitive's own box, grown by the pad, say at t (lane_ray.cl), and never before
+// that t. A primitive is listed wherever its box has a part, and the walk comes to every cell that the ray meets within its pad, so to one that has
+// the part of the box where the ray is at t; it has not ended then, since the hit is not nearer than t.
 #include "kernels/accelerators/mailbox.cl"
 
 #define CELL_SPANS (RECORDS(scene, CellSpans, group->nodes))

@@ -1,6 +1,7 @@
 // Mailboxes: which blocks a ray has tested already, so that what lies in several cells is tested once. Instead of a ray's number in every primitive
 // (Amanatides and Woo 1987, section 3), which rays traced side by side would overwrite, the ray itself keeps the last few, as Shevtsov, Soupikov and
-// Kapustin do (Highly Parallel Fast KD-tree Construction, Eurographics 2007, section 4). What falls out of it is tested again, to the same end.
+// Kapustin do (Highly Parallel Fast KD-tree Construction, Eurographics 2007, section 4). What falls out of it is
+// tested again, to the same end: once only is promised to the blocks of lists that are not longer than the mailbox.
 #pragma once
 #include "kernels/accelerators/cells.h"
 

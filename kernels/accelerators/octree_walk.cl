@@ -1,11 +1,11 @@
 // The cells of an octree along a ray, in integers: once the ray is rounded to the octree's units, which cells it comes to is decided without any
 // further rounding.
 //
-// After Spackman and Willis, The SMART Navigation of a Ray Through an Oct-tree (Computers and Graphics 15(2) 1991): a ray's decisions are integers,
-// made once from its direction and place, and go from a node to its children by adding the direction, shifted by the depth. What differs:
-// - A ray is thick: it comes to all cells within `reach` of it, which is more than its pad (lane_ray.cl) and the rounding to units, so that no cell
-// is
-//   missed which holds what `none` finds. Planes are entered before they are left; hence six decisions for a cell, one for every two axes a, b:
+// After Spackman and Willis, The SMART Navigation of a Ray Through an Oct-tree (Computers and Graphics 15(2) 1991), as others describe it, since the
+// paper was not at hand: a ray's decisions are integers, made once from its direction and place, and go from a node to its children by adding the
+// direction, shifted by the depth. What differs:
+// - A ray is thick. It comes to all cells within `reach` of it, which is more than its pad (lane_ray.cl) and the rounding to units, so that no cell
+//   is missed which holds what `none` finds. Planes are entered before they are left; hence six decisions for a cell, one for every two axes a, b:
 //   (where a is entered) - (where b is left), times both components of the direction, which is 0 or less if the ray is in both slabs at once.
 // - From a node the ray goes to all children that it meets, by eight lanes of such sums, lowest first, and back by a stack of what is left; the
 //   paper's steps to a neighbour and back up need none, but one decision per step.

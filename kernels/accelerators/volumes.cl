@@ -1,7 +1,8 @@
 // Volumes other than boxes: whether the line that a ray is on meets one.
 //
-// The line of every hit comes within the pad of the primitive (lane_ray.cl), and so of a volume round it. Each test is wider by a multiple of the
-// pad, for that and for its own rounding: all its terms are at most the ray's origin and the scene's extent, of which the pad is 2^-20.
+// The line of every hit comes within the pad (lane_ray.cl) of the primitive's hull, and so of a volume round it: Shape::hull() gives the box where
+// less would not do. Each test is wider by a multiple of the pad, for that and for its own rounding: all its terms are at most the ray's origin and
+// the scene's extent, of which the pad is 2^-20. What overflows is met.
 #pragma once
 #include "kernels/accelerators/bounding_volumes.h"
 #include "kernels/core/rays.cl"
@@ -48,7 +49,7 @@ FUNCTION float squared_distance(vec3 f, vec3 d, float inverse_square) {
 
 FUNCTION bool meets_sphere(const global float *words, Line line) {
     const float radius = words[3] + 4.0f * line.pad;
-    return squared_distance(minus(volume_vector(words), line.origin), line.direction, line.inverse_square) <= radius * radius;
+    return !(squared_distance(minus(volume_vector(words), line.origin), line.direction, line.inverse_square) > radius * radius);
 }
 
 FUNCTION bool meets_ellipsoid(const global float *words, Line line) {
@@ -56,7 +57,7 @@ FUNCTION bool meets_ellipsoid(const global float *words, Line line) {
     const vec3 in_sphere = make3(dot3(x, f), dot3(y, f), dot3(z, f));
     const vec3 d = make3(dot3(x, line.direction), dot3(y, line.direction), dot3(z, line.direction));
     const float radius = 1.0f + 8.0f * line.pad * words[12];
-    return squared_distance(in_sphere, d, 1.0f / dot3(d, d)) <= radius * radius;
+    return !(squared_distance(in_sphere, d, 1.0f / dot3(d, d)) > radius * radius);
 }
 
 /// What of a stretch is between two planes: where p·n is from `low` to `high`, the line being at `at` + t `rate`.
@@ -74,7 +75,7 @@ FUNCTION bool meets_oriented_box(const global float *words, Line line, Stretch s
         const float half_extent = words[12u + axis] + 8.0f * line.pad;
         stretch = between(stretch, -half_extent, half_extent, dot3(f, n), dot3(line.direction, n));
     }
-    return stretch.near <= stretch.far;
+    return !(stretch.near > stretch.far);
 }
 
 FUNCTION bool meets_diagonals(const global float *words, Line line, Stretch stretch) {
@@ -84,7 +85,7 @@ FUNCTION bool meets_diagonals(const global float *words, Line line, Stretch stre
     stretch = between(stretch, words[2] - pad, words[3] + pad, o.x + o.y - o.z, d.x + d.y - d.z);
     stretch = between(stretch, words[4] - pad, words[5] + pad, o.x - o.y + o.z, d.x - d.y + d.z);
     stretch = between(stretch, words[6] - pad, words[7] + pad, o.y + o.z - o.x, d.y + d.z - d.x);
-    return stretch.near <= stretch.far;
+    return !(stretch.near > stretch.far);
 }
 
 /// `stretch`: where the line is in the volume's box.

@@ -6,8 +6,8 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <atomic>
-#include <cstring>
+#include <bit>
+#include <cmath>
 #include <memory>
 #include <numeric>
 
@@ -25,9 +25,9 @@ constexpr double block_cost = 14;                                       ///< of 
 constexpr uint serial_below = 4096;                                     ///< references of a subtree that is one task
 
 /// A node while it is built.
-struct Group {
-    std::unique_ptr<Group> children[2];  ///< both or none
-    uint begin, end;                     ///< its references, a range of the order
+struct VolumeGroup {
+    std::unique_ptr<VolumeGroup> children[2];  ///< both or none
+    uint begin, end;                           ///< its references, a range of the order
     Bounds bounds;
     uint volume_kind = VOLUME_NONE;
     Volume volume{};
@@ -37,6 +37,11 @@ struct Group {
 double half_area(const Bounds &bounds) {
     const glm::dvec3 size = glm::dvec3(bounds.high) - glm::dvec3(bounds.low);
     return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
+/// Of a group at one point some are not.
+bool is_finite(const Volume &volume) {
+    return std::all_of(std::begin(volume.words), std::end(volume.words), [](float word) { return std::isfinite(word); });
 }
 
 class VolumeBuild {
@@ -52,12 +57,12 @@ public:
         }
     }
 
-    std::unique_ptr<Group> build() { return build(0, uint(order_.size())); }
+    std::unique_ptr<VolumeGroup> build() { return build(0, uint(order_.size())); }
     const std::vector<uint> &order() const { return order_; }
 
 private:
-    std::unique_ptr<Group> build(uint begin, uint end) {
-        auto group = std::make_unique<Group>();
+    std::unique_ptr<VolumeGroup> build(uint begin, uint end) {
+        auto group = std::make_unique<VolumeGroup>();
         group->begin = begin, group->end = end;
         for (uint i = begin; i < end; ++i) group->bounds.add(references_[order_[i]].bounds);
         if (const uint middle = cut(*group); middle > begin) {
@@ -67,21 +72,20 @@ private:
                 first(), second();
             else
                 tbb::parallel_invoke(first, second);
-        } else {
-            progress_.add(end - begin);
         }
         choose_volume(*group);
+        progress_.add(end - begin);
         return group;
     }
 
-    bool one_kind(const Group &group) const {
+    bool one_kind(const VolumeGroup &group) const {
         const auto same = [&](uint a) { return references_[a].kind == references_[order_[group.begin]].kind; };
         return std::all_of(order_.begin() + group.begin, order_.begin() + group.end, same);
     }
 
     /// Where the second half begins, in whole blocks; the group's begin if it is one block. What would fit a block but for its kinds is cut between
     /// them.
-    uint cut(const Group &group) {
+    uint cut(const VolumeGroup &group) {
         const uint count = group.end - group.begin;
         const auto first = order_.begin() + group.begin, last = order_.begin() + group.end;
         if (count <= BLOCK_SIZE) {
@@ -98,7 +102,7 @@ private:
     }
 
     /// Along which the middles of the references' boxes lie farthest apart.
-    int longest_axis(const Group &group) const {
+    int longest_axis(const VolumeGroup &group) const {
         Bounds centres;
         for (uint i = group.begin; i < group.end; ++i) {
             const Bounds &bounds = references_[order_[i]].bounds;
@@ -109,7 +113,7 @@ private:
     }
 
     /// T = n B + m J: of n rays that meet the box, tested at cost B, m meet the volume and pay J (Weghorst, Hooper and Greenberg 1984, section 3).
-    void choose_volume(Group &group) const {
+    void choose_volume(VolumeGroup &group) const {
         double inside = block_cost;
         if (group.children[0]) {
             inside = 2 * box_cost;
@@ -118,7 +122,7 @@ private:
         group.cost = inside;
         const FittedVolumes volumes = fit_volumes(parts_of(group));
         for (uint kind = VOLUME_NONE + 1; kind < VOLUME_KINDS; ++kind) {
-            if (volume_costs[kind] >= group.cost) continue;
+            if (volume_costs[kind] >= group.cost || !is_finite(volumes[kind])) continue;
             const double cost = volume_costs[kind] + part_of_lines(kind, volumes[kind], group.bounds) * inside;
             if (cost < group.cost) group.cost = cost, group.volume_kind = kind, group.volume = volumes[kind];
         }
@@ -129,7 +133,7 @@ private:
         return area > 0 ? half_area(part) / area : 1;
     }
 
-    std::vector<HullPart> parts_of(const Group &group) const {
+    std::vector<HullPart> parts_of(const VolumeGroup &group) const {
         std::vector<HullPart> parts;
         for (uint i = group.begin; i < group.end; ++i)
             parts.insert(parts.end(), parts_.begin() + starts_[order_[i]], parts_.begin() + starts_[order_[i] + 1]);
@@ -154,7 +158,7 @@ public:
     Flattening(std::span<const Reference> references, const std::vector<uint> &order) : references_(references), order_(order) {}
 
     /// Depth first, two children at adjacent places.
-    void put(const Group &group, uint place) {
+    void put(const VolumeGroup &group, uint place) {
         VolumeNode node{group.bounds.low, group.bounds.high, 0, group.volume_kind};
         if (group.volume_kind != VOLUME_NONE) {
             node.volume |= uint(flat_.volumes.size()) << VOLUME_PLACE_SHIFT;
@@ -169,14 +173,14 @@ public:
         }
         flat_.nodes[place] = node;
     }
-    void put_root(const Group &root) {
+    void put_root(const VolumeGroup &root) {
         flat_.nodes.resize(1);
         put(root, 0);
     }
     Flattened take() { return std::move(flat_); }
 
 private:
-    uint add_block(const Group &group) {
+    uint add_block(const VolumeGroup &group) {
         PrimitiveBlock block{.references = {}, .count = group.end - group.begin};
         std::copy(order_.begin() + group.begin, order_.begin() + group.end, block.references.begin());
         std::sort(block.references.begin(), block.references.begin() + block.count);
@@ -201,11 +205,11 @@ template <class Record> void append(std::vector<std::byte> &bytes, const std::ve
 }  // namespace
 
 BuiltAccelerator build_bounding_volumes(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress) {
-    progress.begin(references.size());
+    progress.begin(references.size() * std::bit_width(references.size() / BLOCK_SIZE + 1));  // about so many levels, each of all
     Flattened flat;
     if (!references.empty()) {
         VolumeBuild build(references, hulls, progress);
-        const std::unique_ptr<Group> root = build.build();
+        const std::unique_ptr<VolumeGroup> root = build.build();
         Flattening flattening(references, build.order());
         flattening.put_root(*root);
         flat = flattening.take();

@@ -1,9 +1,11 @@
 /// How far the building of an accelerator is, told while it goes on.
 #pragma once
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <utility>
 
 namespace brandung {
 

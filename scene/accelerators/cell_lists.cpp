@@ -109,13 +109,23 @@ Piece list_piece(const Cells &cells, std::size_t begin, std::size_t end, const B
 
 void append(CellLists &lists, const Piece &piece, const char *accelerator) {
     const std::size_t first = lists.items.size();
-    if (first + piece.items.size() >= NO_ITEMS / 2) throw SceneError(fmt::format("{}: its cells hold too much: {} items", accelerator, first));
+    check_entries(first + piece.items.size(), accelerator);
     for (const uint list : piece.lists) lists.lists.push_back(list == NO_ITEMS ? NO_ITEMS : uint(first) + list);
     lists.items.insert(lists.items.end(), piece.items.begin(), piece.items.end());
     lists.lanes.insert(lists.lanes.end(), piece.lanes.begin(), piece.lanes.end());
 }
 
 }  // namespace
+
+Bounds bounds_of(std::span<const Reference> references) {
+    Bounds bounds;
+    for (const Reference &reference : references) bounds.add(reference.bounds);
+    return references.empty() ? Bounds{vec3(0), vec3(0)} : bounds;
+}
+
+void check_entries(std::uint64_t entries, const char *accelerator) {
+    if (entries >= NO_ITEMS / 2) throw SceneError(fmt::format("{}: cannot hold {} entries in its cells", accelerator, entries));
+}
 
 CellLists list_cells(std::span<const Reference> references, const Cells &cells, const char *accelerator) {
     Blocks blocks(references, accelerator);

@@ -14,6 +14,11 @@ struct Cells {
     std::span<const uint> of(std::size_t cell) const { return std::span(members).subspan(starts[cell], starts[cell + 1] - starts[cell]); }
 };
 
+/// Of all; a point for none.
+Bounds bounds_of(std::span<const Reference> references);
+/// Throws SceneError, which names `accelerator`, for more entries in cells than words can number.
+void check_entries(std::uint64_t entries, const char *accelerator);
+
 struct CellLists {
     std::array<std::vector<PrimitiveBlock>, MAX_PRIMITIVE_KINDS> blocks;  ///< every reference in exactly one
     std::vector<uint> lists;                                              ///< per cell: place of its first item, or NO_ITEMS

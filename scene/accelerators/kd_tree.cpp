@@ -125,12 +125,6 @@ std::vector<KdReference> kd_references(std::span<const Reference> references) {
     return result;
 }
 
-Bounds bounds_of(std::span<const Reference> references) {
-    Bounds bounds;
-    for (const Reference &reference : references) bounds.add(reference.bounds);
-    return references.empty() ? Bounds{vec3(0), vec3(0)} : bounds;
-}
-
 /// Far below what a float can resolve of the scene.
 double pad_for(const Bounds &box) {
     double extent = 1e-25;

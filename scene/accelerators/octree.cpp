@@ -47,9 +47,7 @@ struct Cube {
 
 /// The root holds all boxes: its side is as long as theirs together, or the least that a float in this place tells from nothing.
 Octree octree_around(std::span<const Reference> references) {
-    Bounds bounds;
-    for (const Reference &reference : references) bounds.add(reference.bounds);
-    if (references.empty()) bounds = {vec3(0), vec3(0)};
+    const Bounds bounds = bounds_of(references);
     Octree octree{};
     octree.low = bounds.low;
     float side = FLT_MIN * float(OCTREE_UNITS);
@@ -140,6 +138,7 @@ struct Flattened {
 uint flatten(const OctreeCell &cell, Flattened &flat) {
     if (cell.is_leaf()) {
         if (cell.members.empty()) return NO_ITEMS;
+        check_entries(flat.cells.members.size() + cell.members.size(), "octree");
         flat.cells.members.insert(flat.cells.members.end(), cell.members.begin(), cell.members.end());
         flat.cells.starts.push_back(uint(flat.cells.members.size()));
         return OCTREE_LEAF | uint(flat.cells.count() - 1);

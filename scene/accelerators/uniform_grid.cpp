@@ -18,15 +18,10 @@ constexpr double cells_per_reference = 4;         ///< on the SPD scenes 2 and 8
 constexpr std::uint64_t most_per_reference = 24;  ///< entries in lists, on average: beyond, cells are made larger
 constexpr double most_columns = 1 << 20;          ///< floats number planes exactly
 
-Bounds bounds_of(std::span<const Reference> references) {
-    Bounds bounds;
-    for (const Reference &reference : references) bounds.add(reference.bounds);
-    return references.empty() ? Bounds{vec3(0), vec3(0)} : bounds;
-}
-
 /// Cells as near to cubes as the box allows, `cells` of them: axes along which the box is thinner than such a cube are not divided, and the
-/// others share what that leaves (after Klimaszewski and Sederberg, Faster Ray Tracing Using Adaptive Grids, IEEE CG&A 17(1) 1997).
-std::array<double, 3> columns_for(glm::dvec3 extent, double cells) {
+/// others share what that leaves; none narrower than `least` (after Klimaszewski and Sederberg, Faster Ray Tracing Using Adaptive Grids, IEEE CG&A
+/// 17(1) 1997).
+std::array<double, 3> columns_for(glm::dvec3 extent, double least, double cells) {
     std::array<double, 3> columns = {0, 0, 0};
     for (int divided = 3; divided > 0;) {
         double volume = 1;
@@ -35,11 +30,11 @@ std::array<double, 3> columns_for(glm::dvec3 extent, double cells) {
         const double edge = std::pow(volume / cells, 1.0 / divided);
         int thin = 0;
         for (int axis = 0; axis < 3; ++axis)
-            if (columns[size_t(axis)] == 0 && !(extent[axis] > edge)) columns[size_t(axis)] = 1, ++thin;
+            if (columns[size_t(axis)] == 0 && !(extent[axis] > std::max(edge, least))) columns[size_t(axis)] = 1, ++thin;
         divided -= thin;
         if (thin > 0) continue;
         for (int axis = 0; axis < 3; ++axis)
-            if (columns[size_t(axis)] == 0) columns[size_t(axis)] = std::min(std::floor(extent[axis] / edge + 0.5), most_columns);
+            if (columns[size_t(axis)] == 0) columns[size_t(axis)] = std::min(std::floor(extent[axis] / std::max(edge, least) + 0.5), most_columns);
         break;
     }
     return columns;
@@ -52,8 +47,15 @@ float cell_size(float low, float high, uint columns) {
     return size;
 }
 
+/// By which the rays' boxes are grown at least (kernels/core/lane_ray.cl).
+double least_pad(const Bounds &bounds) {
+    const vec3 farthest = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
+    return 0x1p-20 * std::max({farthest.x, farthest.y, farthest.z});
+}
+
+/// Rays are in several columns at once where these are not wider than the pad.
 UniformGrid grid_of(const Bounds &bounds, double cells) {
-    const std::array<double, 3> columns = columns_for(glm::dvec3(bounds.high) - glm::dvec3(bounds.low), cells);
+    const std::array<double, 3> columns = columns_for(glm::dvec3(bounds.high) - glm::dvec3(bounds.low), 4 * least_pad(bounds), cells);
     UniformGrid grid{};
     grid.low = bounds.low;
     for (int axis = 0; axis < 3; ++axis) {
@@ -119,6 +121,7 @@ Cells fill_cells(const UniformGrid &grid, const std::vector<CellRange> &ranges, 
     Cells cells;
     cells.starts.resize(counts.size() + 1);
     for (std::size_t cell = 0; cell < counts.size(); ++cell) cells.starts[cell + 1] = cells.starts[cell] + counts[cell].exchange(0);
+    check_entries(entries(ranges), "uniform_grid");
     cells.members.resize(cells.starts.back());
     tbb::parallel_for(std::size_t(0), ranges.size(), [&](std::size_t i) {
         ranges[i].for_each(
@@ -131,6 +134,11 @@ Cells fill_cells(const UniformGrid &grid, const std::vector<CellRange> &ranges, 
     return cells;
 }
 
+/// Cells that hold half of everything each are no help, nor are lists that take more than memory allows.
+bool pays(std::uint64_t entries, std::size_t cells, std::size_t references) {
+    return entries <= most_per_reference * references && double(entries) / double(cells) <= 0.5 * double(references);
+}
+
 }  // namespace
 
 BuiltAccelerator build_uniform_grid(std::span<const Reference> references, const Hulls &, BuildProgress &progress) {
@@ -139,7 +147,7 @@ BuiltAccelerator build_uniform_grid(std::span<const Reference> references, const
     for (double cells = cells_per_reference * double(std::max<std::size_t>(references.size(), 1));; cells = std::floor(cells / 8)) {
         const UniformGrid grid = grid_of(bounds, std::max(cells, 1.0));
         const std::vector<CellRange> ranges = ranges_of(grid, references);
-        if (cells > 1 && entries(ranges) > most_per_reference * references.size()) continue;
+        if (cells > 1 && !pays(entries(ranges), cell_count(grid), references.size())) continue;
         CellLists lists = list_cells(references, fill_cells(grid, ranges, progress), "uniform_grid");
         const std::vector<uint> cell_words = std::move(lists.lists);
         return built_of_cells(grid, cell_words, std::move(lists));

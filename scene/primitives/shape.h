@@ -55,7 +55,8 @@ public:
     virtual std::size_t count() const { return 1; }
     /// A box around primitive i that contains the one which the kernels derive from its block.
     virtual Bounds bounds(std::size_t i) const = 0;
-    /// Holds primitive i, but for rounding.
+    /// Holds primitive i, and but for a pad (kernels/core/lane_ray.cl) the line of every ray that the kernels find to hit it; the box where nothing
+    /// smaller does.
     virtual Hull hull(std::size_t i) const = 0;
     /// Writes primitive i, without its number, to lane `lane` of a block of block_bytes.
     virtual void write_lane(std::size_t i, uint lane, std::byte *block) const = 0;

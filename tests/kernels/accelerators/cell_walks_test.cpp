@@ -19,7 +19,7 @@
 namespace brandung {
 namespace {
 
-constexpr uint most_visits = 256;
+constexpr uint most_visits = 1024;
 struct Visits {
     uint count;
     uint cells[most_visits];
@@ -39,14 +39,14 @@ struct CellsUnderTest {
 };
 
 struct Structure {
-    const char *name;
+    const char *name, *file;  ///< kernels/accelerators/<file>_walk.cl
     CellsUnderTest (*make)();
     double reach;  ///< beyond the pad, in pads: how far cells that it comes to may be from the ray
 };
 void PrintTo(const Structure &structure, std::ostream *out) { *out << structure.name; }
 
-CellsUnderTest uniform_grid() {
-    UniformGrid grid{{sizeof(UniformGrid) / sizeof(uint), 0, 0}, {-1, 0.25f, -0.7f}, {0.4f, 0.5f, 0.3f}, {5, 3, 4}};
+CellsUnderTest grid_of(vec3 low, vec3 size) {
+    const UniformGrid grid{{sizeof(UniformGrid) / sizeof(uint), 0, 0}, low, size, {5, 3, 4}};
     CellsUnderTest under_test;
     under_test.append(grid);
     for (uint z = 0; z < grid.columns[2]; ++z)
@@ -59,6 +59,10 @@ CellsUnderTest uniform_grid() {
             }
     return under_test;
 }
+
+CellsUnderTest uniform_grid() { return grid_of({-1, 0.25f, -0.7f}, {0.4f, 0.5f, 0.3f}); }
+/// Where floats are 2^-10 apart: some cells are flat, and all are thinner than the pad.
+CellsUnderTest fine_grid() { return grid_of({8192, 8200, 8190}, {3e-4f, 4e-4f, 1e-3f}); }
 
 /// Divides every third octant again, `depth` times.
 uint add_octant(std::vector<OctreeNode> &nodes, std::vector<Bounds> &cells, const Bounds &bounds, uint depth, uint &turn) {
@@ -160,7 +164,8 @@ vec3 place_in(const CellsUnderTest &under_test, Random &random) {
     return p;
 }
 
-/// From, through and along planes, edges and corners; some end where they enter a cell, to the bit.
+/// From, through and along planes, edges and corners; some end where they enter a cell, to the bit; some come from so far that their pad is larger
+/// than all cells together.
 std::vector<Ray> rays_for(const CellsUnderTest &under_test) {
     Random random(4);
     std::vector<Ray> rays;
@@ -170,7 +175,7 @@ std::vector<Ray> rays_for(const CellsUnderTest &under_test) {
         for (int axis = 0; axis < 3; ++axis)
             if (random.below(4) == 0) direction[axis] = random.below(2) ? 0.0f : -0.0f;
         if (direction == vec3(0)) direction = {0, 0, random.below(2) ? 1.0f : -1.0f};
-        const float back = random.below(3) == 0 ? 0.0f : random.uniform(0, 3);
+        const float back = random.below(3) == 0 ? 0.0f : random.below(20) == 0 ? std::exp2(random.uniform(4, 24)) : random.uniform(0, 3);
         Ray ray = make_ray(through - back * direction, direction);
         const Bounds &cell = under_test.cells[random.below(uint(under_test.cells.size()))];
         if (random.below(3) == 0) ray.t_max = random.below(2) ? back : random.uniform(0, 4);
@@ -182,8 +187,8 @@ std::vector<Ray> rays_for(const CellsUnderTest &under_test) {
 }
 
 std::vector<Visits> walk(const Structure &structure, const CellsUnderTest &under_test, const std::vector<Ray> &rays) {
-    Probe probe(std::string("#include \"kernels/accelerators/") + structure.name + R"(_walk.cl"
-        typedef struct { uint count; uint cells[256]; } Visits;
+    Probe probe(std::string("#include \"kernels/accelerators/") + structure.file + R"(_walk.cl"
+        typedef struct { uint count; uint cells[1024]; } Visits;
         kernel void probe(const global Ray *rays, const global uint *words, const global float *extent, global Visits *visits) {
             const uint i = get_global_id(0);
             const ray_x8 ray = prepare(rays[i], *extent);
@@ -191,7 +196,7 @@ std::vector<Visits> walk(const Structure &structure, const CellsUnderTest &under
             cell_walk_begin(&walk, (const global CellSpans *)words, &ray);
             uint count = 0u;
             for (uint cell = cell_walk_next(&walk, &ray); cell != NO_ITEMS; cell = cell_walk_next(&walk, &ray)) {
-                if (count < 256u) visits[i].cells[count] = cell;
+                if (count < 1024u) visits[i].cells[count] = cell;
                 ++count;
             }
             visits[i].count = count;
@@ -228,8 +233,9 @@ TEST_P(CellWalks, ComeToAllCellsOfTheRayOnce) {
 
 /// The octree's reach is twice the pad and five units, of which a pad here has at least 4; the rounding of an end is at most two of them more.
 INSTANTIATE_TEST_SUITE_P(Accelerators, CellWalks,
-                         testing::Values(Structure{"uniform_grid", uniform_grid, 0}, Structure{"octree", octree, 3},
-                                         Structure{"kd_tree", kd_tree, 0}),
+                         testing::Values(Structure{"uniform_grid", "uniform_grid", uniform_grid, 0},
+                                         Structure{"fine_grid", "uniform_grid", fine_grid, 0}, Structure{"octree", "octree", octree, 3},
+                                         Structure{"kd_tree", "kd_tree", kd_tree, 0}),
                          [](const auto &info) { return std::string(info.param.name); });
 
 }  // namespace

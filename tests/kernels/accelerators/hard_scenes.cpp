@@ -74,6 +74,21 @@ Scene flat_rings() {
     return scene;
 }
 
+/// Thin cylinders and cones to a tip: rounding of their quadratic equations takes for hits what passes them by many pads.
+Scene hairs() {
+    Scene scene = empty_scene();
+    add_one_of_each_kind(scene);
+    Random random(13);
+    for (uint i = 0; i < 300; ++i) {
+        const vec3 base = random.in_cube(1), tip = base + random.direction() * random.uniform(0.3f, 1);
+        const float radius = std::exp2(random.uniform(-15, -6));
+        if (i % 3 == 0) add_frustum(scene, 0, base, random.uniform(0.05f, 0.3f), tip, 0);
+        if (i % 3 == 1) add_frustum(scene, 0, base, radius, tip, radius);
+        if (i % 3 == 2) add_frustum(scene, 0, base + 0.01f * random.direction(), radius, base + vec3(0, 1, 0), radius);  // side by side
+    }
+    return scene;
+}
+
 constexpr vec3 eye(0, 0, 3);  // from the centre
 
 /// Nearly edge on as seen from the eye: there t is worst conditioned.
@@ -166,6 +181,7 @@ std::vector<SceneKind> scene_kinds() {
         {"edge_on", edge_on, {}},
         {"far_away", far_away, {8192, -8192, 8192}},
         {"flat_rings", flat_rings, {}},
+        {"hairs", hairs, {}},
         {"instances", instances, {}},
         {"sheared_layers", sheared_layers, {3, 0, 0}},
     };
@@ -207,6 +223,18 @@ std::vector<Ray> make_rays(const Scene &scene, vec3 centre) {
         const Bounds &b = box();
         const glm::dvec3 p(random.uniform(b.low.x, b.high.x), random.uniform(b.low.y, b.high.y), random.uniform(b.low.z, b.high.z));
         rays.push_back(make_ray(centre + eye, vec3(glm::normalize(p - glm::dvec3(centre + eye))), t_max()));
+    }
+    // At places of things themselves, which thin ones have few of in their boxes, or just beside.
+    std::vector<Hull> hulls;
+    for (const auto &shape : scene.shapes)
+        for (std::size_t i = 0; i < shape->count(); ++i) hulls.push_back(shape->hull(i));
+    for (uint i = 0; i < 16384 && !hulls.empty(); ++i) {
+        const Hull &hull = hulls[random.below(uint(hulls.size()))];
+        const HullPart &a = hull.parts[random.below(hull.count)], &b = hull.parts[random.below(hull.count)];
+        const float u = random.uniform(0, 1), radius = (1 - u) * a.radius + u * b.radius;
+        const vec3 p = (1 - u) * a.center + u * b.center + random.uniform(0.9f, 1.1f) * radius * random.direction();
+        const vec3 from = random.below(2) ? centre + eye : p + 3.0f * random.direction();
+        rays.push_back(make_ray(from, vec3(glm::normalize(glm::dvec3(p) - glm::dvec3(from))), t_max()));
     }
     // Any length of the direction.
     for (uint i = 0; i < 1024; ++i)
