@@ -10,17 +10,6 @@
 namespace brandung {
 namespace {
 
-/// Why a device is not to be trusted, as far as is known; throws Error where that is so, unless it is taken all the same.
-std::string check_trust(const DeviceInfo &device, bool take_it_all_the_same) {
-    const Trust trust = known_trust(device);
-    if (!trust.warning.empty()) fmt::print(stderr, "warning: {}\n", trust.warning);
-    if (trust.why_not.empty()) return "";
-    const std::string text = fmt::format("'{}' has failed brandung selftest: {}", device.name, trust.why_not);
-    if (!take_it_all_the_same) throw Error(text + "; --untrusted-device takes it all the same");
-    fmt::print(stderr, "warning: {}\n", text);
-    return trust.why_not;
-}
-
 Device select_device(const SceneOptions &options, const JobWatch &watch) {
     Device device = Device::select(options.device, options.threads);
     device.on_build(watch.on_build), device.on_built(watch.on_built), device.on_launch(watch.on_launch);
@@ -35,6 +24,16 @@ std::optional<AcceleratorChoice> choose(const Scene &scene, const CameraDescript
 }
 
 }  // namespace
+
+std::string check_trust(const DeviceInfo &device, bool take_it_all_the_same) {
+    const Trust trust = known_trust(device);
+    if (!trust.warning.empty()) fmt::print(stderr, "warning: {}\n", trust.warning);
+    if (trust.why_not.empty()) return "";
+    const std::string text = fmt::format("'{}' has failed brandung selftest: {}", device.name, trust.why_not);
+    if (!take_it_all_the_same) throw Error(text + "; --untrusted-device takes it all the same");
+    fmt::print(stderr, "warning: {}\n", text);
+    return trust.why_not;
+}
 
 Job::Job(const Scene &scene, const SceneOptions &options, JobWatch watch, const StopRules &stop)
     : scene(scene),

@@ -42,6 +42,9 @@ struct JobWatch {
     std::function<void(const AcceleratorKind &)> on_trial{};  ///< before `auto` tries one
 };
 
+/// Why a device is not to be trusted, as far as is known; throws Error where that is so, unless it is taken all the same.
+std::string check_trust(const DeviceInfo &device, bool take_it_all_the_same);
+
 struct Job {
     /// `scene` must live as long. Throws SceneError and Error.
     Job(const Scene &scene, const SceneOptions &options, JobWatch watch = {}, const StopRules &stop = {});

@@ -26,14 +26,6 @@ struct Options : SceneOptions {
     bool check = false, as_json = false, quiet = false;
 };
 
-std::vector<std::string> chosen_accelerators(const std::vector<std::string> &only) {
-    std::vector<std::string> names;
-    for (const std::string &name : only) names.emplace_back(find_accelerator(name).name);
-    if (only.empty())
-        for (const AcceleratorKind &kind : accelerator_kinds()) names.emplace_back(kind.name);
-    return names;
-}
-
 void add_circumstances(json &all, const Device &device, const Options &options) {
     all.update({{"program", program_version()},
                 {"device", device.info().name},
@@ -79,6 +71,14 @@ int run(const Options &options) {
 }
 
 }  // namespace
+
+std::vector<std::string> chosen_accelerators(const std::vector<std::string> &only) {
+    std::vector<std::string> names;
+    for (const std::string &name : only) names.emplace_back(find_accelerator(name).name);
+    if (only.empty())
+        for (const AcceleratorKind &kind : accelerator_kinds()) names.emplace_back(kind.name);
+    return names;
+}
 
 void add_bench_accelerators(CLI::App &bench, int &status) {
     CLI::App *command = bench.add_subcommand("accelerators", "compare all accelerators on the rays that renders of scenes trace");
