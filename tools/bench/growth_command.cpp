@@ -5,12 +5,15 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "scene/output.h"
 #include "tools/bench/accelerators_command.h"
 #include "tools/bench/growing_scenes.h"
 #include "tools/bench/growth_report.h"
+#include "tools/bench/page.h"
 #include "tools/interruption.h"
 #include "tools/job.h"
 #include "tools/numbers.h"
+#include "tools/page_with_data.h"
 #include "tools/progress.h"
 #include "tools/provenance.h"
 #include "tools/standard_output.h"
@@ -23,6 +26,7 @@ using nlohmann::json;
 struct Options : SceneOptions {
     std::vector<uint> objects = {1000, 10000, 100000, 1000000};
     std::vector<std::string> scenes = {"spheres"}, only;
+    std::string html;
     uint runs = 3, rays = 65536;
     bool as_json = false, quiet = false;
 };
@@ -37,6 +41,7 @@ int run(const Options &options) {
                             .batch = options.batch,
                             .tell = [&](const std::string &what) { progress.report(what); },
                             .goes_on = [] { return !is_interrupted(); }};
+    if (!options.html.empty()) check_writable(options.html);
     Device device = Device::select(options.device, options.threads);
     check_trust(device.info(), options.untrusted_device);
     handle_interruptions();
@@ -50,6 +55,7 @@ int run(const Options &options) {
                 {"runs", options.runs},
                 {"interrupted", is_interrupted()}});
     if (is_interrupted()) fmt::print(stderr, "interrupted: rows are those measured until then\n");
+    if (!options.html.empty()) write_text(options.html, page_with_data(growth_page_html(), all));
     print_result(options.as_json ? all.dump(2) + "\n" : growth_text(all));
     return is_interrupted() ? interrupted_status : 0;
 }
@@ -81,6 +87,7 @@ void add_bench_growth(CLI::App &bench, int &status) {
     command->add_option("--runs", options->runs, "rounds that are measured, after one to warm up")
         ->check(whole_numbers(1u, 1000u))
         ->capture_default_str();
+    command->add_option("--html", options->html, "write a page with plots");
     command->add_flag("--json", options->as_json, "print JSON");
     command->add_flag("--quiet", options->quiet, "no progress");
     command->callback([options, &status] { status = run(*options); });

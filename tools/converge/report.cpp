@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tools/converge/page.h"
+#include "tools/page_with_data.h"
 
 namespace brandung {
 namespace {
@@ -169,12 +170,6 @@ std::string convergence_text(const Convergence &convergence) {
     return text;
 }
 
-std::string convergence_page(const Convergence &convergence) {
-    std::string page(converge_page_html());
-    const std::string mark = "/*DATA*/null", data = convergence_json(convergence).dump(-1, ' ', true, json::error_handler_t::replace);
-    std::string safe;  // a name with </script> must not end the script
-    for (const char c : data) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
-    return page.replace(page.find(mark), mark.size(), safe);
-}
+std::string convergence_page(const Convergence &convergence) { return page_with_data(converge_page_html(), convergence_json(convergence)); }
 
 }  // namespace brandung
