@@ -13,9 +13,11 @@ using nlohmann::json;
 
 /// none tests all, in blocks of 8: 100 in 13, 1000 in 125.
 TEST(CliBenchGrowth, GivesARowForEachNumberOfObjectsAndAccelerator) {
-    const Finished run =
-        run_program({"bench", "growth", "--objects", "1000,100", "--only", "uniform_grid,none", "--rays", "512", "--runs", "1", "--quiet", "--json"});
+    const TemporaryFolder folder;
+    const Finished run = run_program({"bench", "growth", "--objects", "1000,100", "--only", "uniform_grid,none", "--rays", "512", "--runs", "1",
+                                      "--quiet", "--json", "--html", folder.path("growth.html")});
     expect_success(run);
+    EXPECT_NE(read_file(folder.path("growth.html")).find("\"accelerator\":\"uniform_grid\""), std::string::npos);
     const json result = json::parse(run.out), &rows = result.at("rows");
     ASSERT_EQ(rows.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i) {
