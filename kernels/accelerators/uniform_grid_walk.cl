@@ -49,10 +49,10 @@ FUNCTION void columns_at(GridAxis *axis, float t, float p) {
     const int last = axis->count - 1;
     const float guess = (p - axis->low) / axis->size, column = axis->backward ? (float)last - floor(guess) : floor(guess);
     int k = (int)minimum(maximum(column, 0.0f), (float)last);
-    while (k < last && column_enter(axis, k + 1) <= t) ++k;
-    while (k > 0 && column_enter(axis, k) > t) --k;
+    while (k < last && t >= column_enter(axis, k + 1)) ++k;
+    while (k > 0 && t < column_enter(axis, k)) --k;
     axis->last = k;
-    while (k > 0 && column_leave(axis, k - 1) >= t) --k;
+    while (k > 0 && t <= column_leave(axis, k - 1)) --k;
     axis->first = k;
     axis->next = axis->last < last ? column_enter(axis, axis->last + 1) : INFINITY;
     axis->end = column_leave(axis, axis->first);

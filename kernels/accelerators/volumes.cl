@@ -29,6 +29,7 @@ FUNCTION Stretch stretch_in_box(vec3 low, vec3 high, const ray_x8 *ray) {
 typedef struct {
     vec3 origin, direction;
     float inverse_square, pad;
+    float still;  ///< stands for a rate of 0 along the line: 2^-60 of the direction moves it by no rounding error
 } Line;
 
 FUNCTION Line line_of(const ray_x8 *ray) {
@@ -36,6 +37,7 @@ FUNCTION Line line_of(const ray_x8 *ray) {
     line.origin = make3(ray->origin.x.s0, ray->origin.y.s0, ray->origin.z.s0);
     line.direction = make3(ray->direction.x.s0, ray->direction.y.s0, ray->direction.z.s0);
     line.inverse_square = ray->inverse_square.s0, line.pad = ray->pad.s0;
+    line.still = 0x1p-60f * largest(absolute(line.direction));
     return line;
 }
 
@@ -60,9 +62,9 @@ FUNCTION bool meets_ellipsoid(const global float *words, Line line) {
     return !(squared_distance(in_sphere, d, 1.0f / dot3(d, d)) > radius * radius);
 }
 
-/// What of a stretch is between two planes: where p·n is from `low` to `high`, the line being at `at` + t `rate`.
-FUNCTION Stretch between(Stretch stretch, float low, float high, float at, float rate) {
-    const float inverse = 1.0f / (fabs(rate) < 1e-30f ? copysign(1e-30f, rate) : rate);
+/// What of a stretch is between two planes: where p·n is from `low` to `high`, the line being at `at` + t `rate`; `still` is Line's.
+FUNCTION Stretch between(Stretch stretch, float low, float high, float at, float rate, float still) {
+    const float inverse = 1.0f / (fabs(rate) < still ? copysign(still, rate) : rate);
     const float a = (low - at) * inverse, b = (high - at) * inverse;
     stretch.near = maximum(stretch.near, minimum(a, b)), stretch.far = minimum(stretch.far, maximum(a, b));
     return stretch;
@@ -73,7 +75,7 @@ FUNCTION bool meets_oriented_box(const global float *words, Line line, Stretch s
     for (uint axis = 0u; axis < 3u; ++axis) {
         const vec3 n = volume_vector(words + 3u + 3u * axis);
         const float half_extent = words[12u + axis] + 8.0f * line.pad;
-        stretch = between(stretch, -half_extent, half_extent, dot3(f, n), dot3(line.direction, n));
+        stretch = between(stretch, -half_extent, half_extent, dot3(f, n), dot3(line.direction, n), line.still);
     }
     return !(stretch.near > stretch.far);
 }
@@ -81,10 +83,10 @@ FUNCTION bool meets_oriented_box(const global float *words, Line line, Stretch s
 FUNCTION bool meets_diagonals(const global float *words, Line line, Stretch stretch) {
     const vec3 o = line.origin, d = line.direction;
     const float pad = 8.0f * line.pad;
-    stretch = between(stretch, words[0] - pad, words[1] + pad, o.x + o.y + o.z, d.x + d.y + d.z);
-    stretch = between(stretch, words[2] - pad, words[3] + pad, o.x + o.y - o.z, d.x + d.y - d.z);
-    stretch = between(stretch, words[4] - pad, words[5] + pad, o.x - o.y + o.z, d.x - d.y + d.z);
-    stretch = between(stretch, words[6] - pad, words[7] + pad, o.y + o.z - o.x, d.y + d.z - d.x);
+    stretch = between(stretch, words[0] - pad, words[1] + pad, o.x + o.y + o.z, d.x + d.y + d.z, line.still);
+    stretch = between(stretch, words[2] - pad, words[3] + pad, o.x + o.y - o.z, d.x + d.y - d.z, line.still);
+    stretch = between(stretch, words[4] - pad, words[5] + pad, o.x - o.y + o.z, d.x - d.y + d.z, line.still);
+    stretch = between(stretch, words[6] - pad, words[7] + pad, o.y + o.z - o.x, d.y + d.z - d.x, line.still);
     return !(stretch.near > stretch.far);
 }
 

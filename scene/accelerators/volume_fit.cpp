@@ -96,7 +96,6 @@ Volume fit_sphere(std::span<const HullPart> parts) {
 Volume fit_oriented_box(std::span<const HullPart> parts) {
     Volume volume{};
     const std::array<Vector, 3> axes = axes_of(parts);
-    std::array<Extent, 3> extents;
     Vector center(0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         put(volume, 3 + 3 * axis, axes[axis]);
