@@ -2,7 +2,6 @@
 #include "kernels/accelerators/bounding_volumes.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>

@@ -6,22 +6,11 @@
 #include <filesystem>
 #include <numeric>
 
-#include "scene/accelerators/accelerator.h"
+#include "tools/bench/candidate.h"
 #include "tools/bench/random_rays.h"
 
 namespace brandung {
 namespace {
-
-/// A scene with one of its accelerators on the device.
-struct Candidate {
-    Candidate(Device &device, const Scene &scene, const std::string &accelerator, uint batch)
-        : compiled(compile(scene, {.accelerator = &find_accelerator(accelerator)})),
-          on_device(device, compiled),
-          tracing(device, compiled, on_device, batch) {}
-    CompiledScene compiled;
-    DeviceScene on_device;
-    RayTracing tracing;
-};
 
 AcceleratorRow row_of(const Scene &scene, const Candidate &candidate) {
     const CompiledScene &compiled = candidate.compiled;

@@ -6,24 +6,11 @@
 #include <deque>
 #include <set>
 
-#include "scene/accelerators/accelerator.h"
+#include "tools/bench/candidate.h"
 #include "tools/bench/growing_scenes.h"
 
 namespace brandung {
 namespace {
-
-/// A scene with one of its accelerators on the device.
-struct Candidate {
-    Candidate(Device &device, const Scene &scene, const std::string &accelerator, uint batch)
-        : compiled(compile(scene, {.accelerator = &find_accelerator(accelerator)})),
-          on_device(device, compiled),
-          tracing(device, compiled, on_device, batch) {
-        compiled.arena = {};  // the device has it
-    }
-    CompiledScene compiled;
-    DeviceScene on_device;
-    RayTracing tracing;
-};
 
 RayQueue first_rays(const RayQueue &queue, std::size_t count) {
     const auto end = static_cast<std::ptrdiff_t>(count);

@@ -1,0 +1,23 @@
+/// Candidate: one of the accelerators that a bench compares.
+#pragma once
+#include <string>
+
+#include "runtime/accelerators/ray_tracing.h"
+#include "scene/accelerators/accelerator.h"
+
+namespace brandung {
+
+/// A scene with one accelerator on the device.
+struct Candidate {
+    Candidate(Device &device, const Scene &scene, const std::string &accelerator, uint batch)
+        : compiled(compile(scene, {.accelerator = &find_accelerator(accelerator)})),
+          on_device(device, compiled),
+          tracing(device, compiled, on_device, batch) {
+        compiled.arena = {};  // the device has it
+    }
+    CompiledScene compiled;
+    DeviceScene on_device;
+    RayTracing tracing;
+};
+
+}  // namespace brandung
