@@ -8,6 +8,7 @@
 #include "tools/bench/comparison.h"
 #include "tools/bench/growth_command.h"
 #include "tools/bench/report.h"
+#include "tools/bench/traversal_command.h"
 #include "tools/bench/volumes_command.h"
 #include "tools/commands.h"
 #include "tools/interruption.h"
@@ -75,6 +76,7 @@ void add_bench(CLI::App &app, int &status) {
     add_bench_accelerators(*command, status);
     add_bench_volumes(*command, status);
     add_bench_growth(*command, status);
+    add_bench_traversal(*command, status);
     command->get_option("scene")->required(false);  // else a subcommand's name would be the scene
     command->callback([command, options, &status] {
         if (!command->get_subcommands().empty()) return;

@@ -57,7 +57,7 @@ double trace(RayTracing &tracing, const WeighedSample &sample, uint batch, doubl
         double sum = 0;
         for (std::size_t q = 0; q < sample.queues.size(); ++q)
             for (std::size_t first = 0; first < sample.queues[q].count(); first += batch)
-                sum += sample.weights[q] * tracing.trace(part_of(sample.queues[q], first, batch));
+                sum += sample.weights[q] * tracing.trace(part_of(sample.queues[q], first, batch)).device;
         if (round > 0) seconds.push_back(sum);  // the first warms up
         if (round > 0 && sum > limit) break;
     }

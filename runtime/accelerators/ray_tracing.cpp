@@ -4,7 +4,7 @@
 #include <cstring>
 #include <numeric>
 
-#include "runtime/integrators/coherence.h"
+#include "runtime/opencl/seconds_now.h"
 
 namespace brandung {
 namespace {
@@ -52,7 +52,8 @@ void WorkSums::add(const WorkSums &sums) {
 RayTracing::RayTracing(Device &device, const CompiledScene &compiled, const DeviceScene &on_device, uint batch)
     : device_(device),
       scene_(on_device),
-      packets_(traces_packets(device, compiled)),
+      together_(traversal_of_render(true, device, compiled)),
+      apart_(traversal_of_render(false, device, compiled)),
       rays_(device, batch),
       sources_(device, batch),
       live_(device, numbers_up_to(batch)),
@@ -86,22 +87,24 @@ void RayTracing::take(const RaySpan &rays) {
     device_.finish();
 }
 
-double RayTracing::trace(const RaySpan &rays) {
+TraceSeconds RayTracing::trace(const RaySpan &rays) { return trace(rays, rays.coherent ? together_ : apart_); }
+
+TraceSeconds RayTracing::trace(const RaySpan &rays, const Traversal &traversal) {
     take(rays);
-    const double before = milliseconds_of(device_.profile());
-    rays.shadow ? trace_shadows(rays) : trace_closest(rays);
+    const double before = milliseconds_of(device_.profile()), start = seconds_now();
+    launch(rays, traversal);
     device_.finish();
-    return 1e-3 * (milliseconds_of(device_.profile()) - before);
+    const double wall = seconds_now() - start;
+    return {1e-3 * (milliseconds_of(device_.profile()) - before), wall};
 }
 
-void RayTracing::trace_closest(const RaySpan &rays) {
-    Kernel &kernel = stage(rays.coherent && packets_ ? "intersect_packets" : "intersect");
-    kernel(rays.rays.size(), scene_, live_, 0u, static_cast<uint>(rays.rays.size()), rays_, sources_, hits_, instances_, crowded_, tallies_);
-}
-
-void RayTracing::trace_shadows(const RaySpan &rays) {
-    Kernel &kernel = stage(rays.coherent && packets_ ? "trace_shadow_rays" : "trace_shadow_rays_singly");
-    kernel(rays.rays.size(), scene_, live_, counts_, batch_, rays_, sources_, visible_, tallies_);
+void RayTracing::launch(const RaySpan &rays, const Traversal &traversal) {
+    const auto count = static_cast<uint>(rays.rays.size());
+    if (rays.shadow) {
+        stage(traversal.any_hit)(count, scene_, live_, counts_, batch_, rays_, sources_, visible_, tallies_);
+    } else {
+        stage(traversal.closest_hit)(count, scene_, live_, 0u, count, rays_, sources_, hits_, instances_, crowded_, tallies_);
+    }
 }
 
 RayAnswers RayTracing::answers() const {

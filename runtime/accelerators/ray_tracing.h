@@ -4,6 +4,7 @@
 
 #include "kernels/accelerators/work.h"
 #include "runtime/accelerators/ray_sample.h"
+#include "runtime/accelerators/traversals.h"
 #include "runtime/opencl/kernel.h"
 
 namespace brandung {
@@ -35,12 +36,20 @@ struct WorkSums {
     void add(const WorkSums &sums);
 };
 
+/// Time that rays took [s].
+struct TraceSeconds {
+    double device;  ///< in kernels
+    double wall;    ///< from before their launch until the host knows that they have ended
+};
+
 /// At most `batch` rays at once.
 class RayTracing {
 public:
     RayTracing(Device &device, const CompiledScene &compiled, const DeviceScene &on_device, uint batch);
-    /// By the stages that a render takes for such rays. Gives the time that the device took [s].
-    double trace(const RaySpan &rays);
+    /// By the stages that a render takes for such rays.
+    TraceSeconds trace(const RaySpan &rays);
+    /// By those of a traversal that is available.
+    TraceSeconds trace(const RaySpan &rays, const Traversal &traversal);
     /// What the last trace() has found.
     RayAnswers answers() const;
     /// One ray after another by the counting kernels; adds to `sums`.
@@ -50,12 +59,11 @@ private:
     Kernel &stage(const std::string &name);
     Kernel &counter(const std::string &name);
     void take(const RaySpan &rays);
-    void trace_closest(const RaySpan &rays);
-    void trace_shadows(const RaySpan &rays);
+    void launch(const RaySpan &rays, const Traversal &traversal);
 
     Device &device_;
     const DeviceScene &scene_;
-    bool packets_;
+    const Traversal &together_, &apart_;     ///< of a render, for rays that stay together and that do not
     std::map<std::string, Kernel> kernels_;  ///< that were needed so far, by name
     Buffer<Ray> rays_;
     Buffer<uint> sources_, live_, counts_;

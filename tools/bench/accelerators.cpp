@@ -61,7 +61,7 @@ public:
                 if (queue.use == RayQueue::Use::random) continue;
                 for (std::size_t first = 0; first < queue.count(); first += trial_.batch) {
                     if (!goes_on(fmt::format("round {} of {}", round + 1, trial_.runs).c_str(), part)) return false;
-                    seconds[place(queue.use)] += candidates_[i].tracing.trace(part_of(queue, first, trial_.batch));
+                    seconds[place(queue.use)] += candidates_[i].tracing.trace(part_of(queue, first, trial_.batch)).device;
                 }
             }
             for (std::size_t use = 0; use < ray_uses; ++use)

@@ -3,34 +3,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
+
+#include "tools/bench/random_places.h"
 
 namespace brandung {
 namespace {
 
 constexpr double volume_of_spheres = 0.02;
 constexpr double cluster_width = 0.01;
-
-/// The engine's bits are the same everywhere; the standard's distributions are not.
-class RandomPlaces {
-public:
-    explicit RandomPlaces(uint seed) : engine_(seed) {}
-    float unit() { return static_cast<float>(engine_() >> 8) * 0x1p-24f; }
-    vec3 in_cube() {
-        const float x = unit(), y = unit();
-        return {x, y, unit()};
-    }
-    vec3 direction() {
-        while (true) {
-            const vec3 d = 2.0f * in_cube() - 1.0f;
-            const float squared = glm::dot(d, d);
-            if (squared > 0.01f && squared < 1) return d / std::sqrt(squared);
-        }
-    }
-
-private:
-    std::mt19937 engine_;
-};
 
 /// Of each of so many spheres that have that part of the cube's volume.
 float radius_of(uint spheres) { return static_cast<float>(std::cbrt(volume_of_spheres * 3 / (4 * std::numbers::pi * spheres))); }

@@ -55,7 +55,7 @@ public:
     bool measure(uint round) {
         std::vector<std::array<double, 2>> seconds(rows.size());
         const bool whole = for_all(fmt::format("round {} of {}", round, trial_.runs),
-                                   [&](std::size_t i, const RaySpan &rays) { seconds[i][rays.shadow] += candidates_[i].tracing.trace(rays); });
+                                   [&](std::size_t i, const RaySpan &rays) { seconds[i][rays.shadow] += candidates_[i].tracing.trace(rays).device; });
         if (!whole) return false;
         for (std::size_t i = 0; round > 0 && i < rows.size(); ++i)
             rows[i].closest.seconds.push_back(seconds[i][0]), rows[i].any.seconds.push_back(seconds[i][1]);

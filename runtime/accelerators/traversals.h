@@ -1,0 +1,24 @@
+/// Traversals: the ways in which kernels of a render find what rays meet.
+#pragma once
+#include <vector>
+
+#include "runtime/opencl/device.h"
+#include "scene/compile.h"
+
+namespace brandung {
+
+/// A stage per question, kernels/stages/<name>.cl. All of them have the same answers.
+struct Traversal {
+    const char *name;
+    const char *closest_hit;  ///< has the parameters of kernels/stages/intersect.cl
+    const char *any_hit;      ///< and of kernels/stages/trace_shadow_rays_singly.cl
+    bool packets;             ///< of rays: where traces_packets() says that they pay
+};
+const std::vector<Traversal> &traversals();
+
+/// Whether the accelerator has it, on such a device.
+bool is_available(const Traversal &traversal, const Device &device, const CompiledScene &compiled);
+/// The one that a render takes for rays that stay together, or else go their own ways.
+const Traversal &traversal_of_render(bool coherent, const Device &device, const CompiledScene &compiled);
+
+}  // namespace brandung

@@ -1,0 +1,53 @@
+/// EmbreePeer: the same scene and rays, traced by Embree 3, where the program was built with it.
+#pragma once
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/accelerators/ray_tracing.h"
+#include "tools/bench/scene_geometry.h"
+
+namespace brandung {
+
+/// One of Embree's structures for a scene.
+struct PeerScene {
+    const char *name;  ///< medium, high: Embree's default, by the quality of the build; robust: its scene flag, at medium quality
+    bool robust;
+    double build_seconds = 0;
+    std::size_t bytes = 0;  ///< that Embree has allocated for it
+};
+
+/// One of Embree's functions for tracing: rtcIntersect1 ... rtcIntersect16, or rtcOccluded1 ..., with a flag of its context.
+struct PeerApi {
+    uint width;
+    bool coherent;
+    std::string name() const { return std::to_string(width) + (coherent ? " coherent" : " incoherent"); }
+};
+inline constexpr std::array<PeerApi, 6> peer_apis = {{{1, false}, {1, true}, {8, false}, {8, true}, {16, false}, {16, true}}};
+
+class EmbreePeer {
+public:
+    static bool is_built_in();
+    /// Throws Error where it is not built in, or Embree has not all kinds of the scene's primitives. Builds all scenes.
+    EmbreePeer(const SceneGeometry &geometry, uint threads);
+    ~EmbreePeer();
+
+    /// "3.13.5"
+    std::string version() const;
+    /// The widest packets that it traces as such on this machine: 4, 8 or 16.
+    uint native_width() const;
+    const std::vector<PeerScene> &scenes() const;
+    /// Rays for trace(), which must live as long.
+    void take(const RayQueue &queue);
+    /// All of them; gives the time that it took [s].
+    double trace(std::size_t scene, const PeerApi &api);
+    /// What the last trace() has found.
+    RayAnswers answers() const;
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace brandung
