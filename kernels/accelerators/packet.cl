@@ -26,19 +26,27 @@ typedef struct {
     float farthest;  ///< t_max of all
 } PacketRays;
 
-FUNCTION float largest_lane(float16 v) {
-    const float8 a = maximum(v.lo, v.hi);
-    const float4 b = fmax(a.lo, a.hi);
-    return fmax(fmax(b.x, b.y), fmax(b.z, b.w));
+FUNCTION float4 larger(float4 a, float4 b) { return a > b ? a : b; }
+FUNCTION float4 largest_quarter(float16 v) {
+    const float8 halves = maximum(v.lo, v.hi);
+    return larger(halves.lo, halves.hi);
 }
-FUNCTION float smallest_lane(float16 v) { return -largest_lane(-v); }
+/// The largest lanes of four.
+FUNCTION float4 largest_lanes(float16 a, float16 b, float16 c, float16 d) {
+    const float4 qa = largest_quarter(a), qb = largest_quarter(b), qc = largest_quarter(c), qd = largest_quarter(d);
+    const float4 ab = larger((float4)(qa.lo, qb.lo), (float4)(qa.hi, qb.hi)), cd = larger((float4)(qc.lo, qd.lo), (float4)(qc.hi, qd.hi));
+    return larger((float4)(ab.even, cd.even), (float4)(ab.odd, cd.odd));
+}
+FUNCTION float largest_lane(float16 v) { return largest_lanes(v, v, v, v).x; }
 
 /// Where directions point both ways the axis rejects nothing.
 FUNCTION PacketInterval packet_interval(float16 origin, float16 inverse, float pad, int16 alive) {
+#define OF_ALIVE(values) (alive ? (values) : (float16)(-INFINITY))
+    const float4 bounds = largest_lanes(OF_ALIVE(-inverse), OF_ALIVE(inverse), OF_ALIVE(-origin), OF_ALIVE(origin));
+#undef OF_ALIVE
     PacketInterval interval;
-    interval.inverse_low = smallest_lane(alive ? inverse : (float16)(INFINITY));
-    interval.inverse_high = largest_lane(alive ? inverse : (float16)(-INFINITY));
-    const float low = smallest_lane(alive ? origin : (float16)(INFINITY)) - pad, high = largest_lane(alive ? origin : (float16)(-INFINITY)) + pad;
+    interval.inverse_low = -bounds.x, interval.inverse_high = bounds.y;
+    const float low = -bounds.z - pad, high = bounds.w + pad;
     interval.backward = interval.inverse_high < 0.0f;
     interval.from_near = interval.backward ? low : high, interval.from_far = interval.backward ? high : low;
     if (interval.inverse_low < 0.0f && !interval.backward) {
@@ -48,16 +56,20 @@ FUNCTION PacketInterval packet_interval(float16 origin, float16 inverse, float p
     return interval;
 }
 
-/// The pad is twice that of the rays' own box test, which makes up for the rounding of both.
+FUNCTION int16 are_numbers(vec3x16 v) { return (v.x == v.x) & (v.y == v.y) & (v.z == v.z); }
+
+/// The pad is twice that of the rays' own box test, which makes up for the rounding of both. Rays with a NaN meet nothing, and must not hide the
+/// bounds of others.
 FUNCTION PacketRays packet_of_rays(ray_x16 rays) {
     PacketRays packet;
     packet.rays = rays;
-    const int16 alive = rays.t_max >= 0.0f;
-    const float pad = 2.0f * largest_lane(alive ? rays.pad : (float16)(0.0f));
+    const int16 alive = (rays.t_max >= 0.0f) & are_numbers(rays.origin) & are_numbers(rays.inverse);
+    const float4 ends = largest_lanes(alive ? rays.pad : (float16)(0.0f), rays.t_max, rays.t_max, rays.t_max);
+    const float pad = 2.0f * ends.x;
     packet.x = packet_interval(rays.origin.x, rays.inverse.x, pad, alive);
     packet.y = packet_interval(rays.origin.y, rays.inverse.y, pad, alive);
     packet.z = packet_interval(rays.origin.z, rays.inverse.z, pad, alive);
-    packet.farthest = largest_lane(rays.t_max);
+    packet.farthest = ends.y;
     return packet;
 }
 

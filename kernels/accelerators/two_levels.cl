@@ -14,10 +14,14 @@
 
 #include "kernels/accelerators/instance_leaf.cl"
 
+#define WORLD_KINDS(X) FOR_EACH_PRIMITIVE(X) X(INSTANCE_KIND, Instance, instance)
+#define WORLD_CLOSEST_HIT world_block_closest_hit
+#define WORLD_ANY_HIT world_block_any_hit
+
 #define LEVEL(name) world_##name
-#define LEVEL_KINDS(X) FOR_EACH_PRIMITIVE(X) X(INSTANCE_KIND, Instance, instance)
-#define LEAF_CLOSEST_HIT world_block_closest_hit
-#define LEAF_ANY_HIT world_block_any_hit
+#define LEVEL_KINDS WORLD_KINDS
+#define LEAF_CLOSEST_HIT WORLD_CLOSEST_HIT
+#define LEAF_ANY_HIT WORLD_ANY_HIT
 #include "generated/accelerator.cl"
 #undef LEVEL
 #undef LEVEL_KINDS

@@ -19,7 +19,7 @@ FUNCTION uint LEVEL(children)(const global BvhNode *node, const ray_x8 *ray, flo
     const float8 near = maximum(maximum(near_x, near_y), maximum(near_z, (float8)(0.0f)));
     const float8 far = minimum(minimum(far_x, far_y), minimum(far_z, ray->t_max));
     *enter = near;
-    return mask_bits((near <= far) & (*(const global uint8 *)node->child != (uint8)(BVH_EMPTY)));
+    return mask_bits(near <= far);
 }
 
 /// The stack holds children with the t where the ray enters them, as (bits of t) << 32 | child, farthest first among the children of a node.

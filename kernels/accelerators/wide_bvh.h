@@ -6,7 +6,7 @@
 #define BVH_LEAF 0x80000000u   ///< a child word with this bit is a leaf: kind and block of its primitives
 #define BVH_KIND_SHIFT 28u     ///< bits 28..30: the kind's number among those in use
 #define BVH_BLOCK 0x0fffffffu  ///< bits 0..27: the block
-#define BVH_EMPTY 0xffffffffu  ///< no child; its box is all zeros
+#define BVH_EMPTY 0xffffffffu  ///< no child; its box is from +∞ to -∞, which no ray meets
 
 /// Children that wait on the stack of a ray when it arrives at a node, at most; the builder sees to it.
 #define BVH_PENDING 128u

@@ -11,6 +11,7 @@ typedef struct {
     mask source_instance;                  ///< and the instance which that is in; only in scenes with instances, and in the world
     real pad;                              ///< by which boxes are grown: more than any rounding error of a crossing
     real3 inverse, shift_low, shift_high;  ///< plane of a box -> t: fma(plane, inverse, shift)
+    real3 turned_origin;                   ///< origin[kx], origin[ky], origin[kz]
     real3 shear;                           ///< direction[kx] / direction[kz], direction[ky] / direction[kz], 1 / direction[kz]
     uint kx, ky, kz;                       ///< axes; kz has the largest component of the direction
     WORK_OF_RAY
@@ -48,6 +49,7 @@ FUNCTION LaneRay lane_ray(real3 origin, real3 direction, real t_max, uint kz, ma
     ray.shift_low = negate(times(plus(origin, pads), ray.inverse));
     ray.shift_high = negate(times(minus(origin, pads), ray.inverse));
     ray.kz = kz, ray.kx = kz == 2u ? 0u : kz + 1u, ray.ky = kz == 0u ? 2u : kz - 1u;
+    ray.turned_origin = make3(axis_of(origin, ray.kx), axis_of(origin, ray.ky), axis_of(origin, ray.kz));
     const real z = axis_of(direction, ray.kz);
     ray.shear = make3(axis_of(direction, ray.kx) / z, axis_of(direction, ray.ky) / z, 1.0f / z);
     return ray;

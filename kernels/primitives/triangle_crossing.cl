@@ -12,24 +12,34 @@ FUNCTION void TRIANGLE(box)(const global TriangleBlock *block, uint j, LaneBox *
     box->low = minimum(a, minimum(b, c)), box->high = maximum(a, maximum(b, c));
 }
 
+/// Whether the origin may be in the triangle with these corners. Rounding is monotone: a rounded product that is less than another says that the
+/// exact one is, so nothing is rejected that the exact signs would not reject (Woop et al. section 3.1).
+FUNCTION mask TRIANGLE(may_cross)(real ax, real ay, real bx, real by, real cx, real cy) {
+    const real u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
+    const mask left = minimum(u, minimum(v, w)) >= 0.0f, right = maximum(u, maximum(v, w)) <= 0.0f;
+    return left | right;
+}
+
 /// Watertight (Woop, Benthin, Wald, JCGT 2(1) 2013): a ray through an edge or a vertex hits one of the triangles that share it; the signs of
 /// the edge functions are exact for the sheared vertices. Both sides count. u, v are the weights of vertices b and c.
 /// Where rounding could decide on which side of the plane the ray begins, offsets of twice the digits do, however large the triangle is.
 FUNCTION Crossing TRIANGLE(crossing)(const global TriangleBlock *block, uint j, LaneRay ray) {
-    const real ox = axis_of(ray.origin, ray.kx), oy = axis_of(ray.origin, ray.ky), oz = axis_of(ray.origin, ray.kz);
+    const real ox = ray.turned_origin.x, oy = ray.turned_origin.y, oz = ray.turned_origin.z;
     const real az = LANE(block->a[ray.kz], j) - oz, bz = LANE(block->b[ray.kz], j) - oz, cz = LANE(block->c[ray.kz], j) - oz;
-    const real ax = (LANE(block->a[ray.kx], j) - ox) - ray.shear.x * az, ay = (LANE(block->a[ray.ky], j) - oy) - ray.shear.y * az;
-    const real bx = (LANE(block->b[ray.kx], j) - ox) - ray.shear.x * bz, by = (LANE(block->b[ray.ky], j) - oy) - ray.shear.y * bz;
-    const real cx = (LANE(block->c[ray.kx], j) - ox) - ray.shear.x * cz, cy = (LANE(block->c[ray.ky], j) - oy) - ray.shear.y * cz;
+    const real ax = fma(-ray.shear.x, az, LANE(block->a[ray.kx], j) - ox), ay = fma(-ray.shear.y, az, LANE(block->a[ray.ky], j) - oy);
+    const real bx = fma(-ray.shear.x, bz, LANE(block->b[ray.kx], j) - ox), by = fma(-ray.shear.y, bz, LANE(block->b[ray.ky], j) - oy);
+    const real cx = fma(-ray.shear.x, cz, LANE(block->c[ray.kx], j) - ox), cy = fma(-ray.shear.y, cz, LANE(block->c[ray.ky], j) - oy);
+    Crossing crossing;
+    crossing.t = 0.0f, crossing.u = 0.0f, crossing.v = 0.0f;
+    crossing.hit = (LANE_NUMBER(block->primitive, j) != ray.source) & TRIANGLE(may_cross)(ax, ay, bx, by, cx, cy);
+    if (mask_bits(crossing.hit) == 0u) return crossing;
+
     const real u = difference_of_products(cx, by, cy, bx);
     const real v = difference_of_products(ax, cy, ay, cx);
     const real w = difference_of_products(bx, ay, by, ax);
     const real det = u + v + w;
 
-    Crossing crossing;
-    crossing.t = 0.0f, crossing.u = 0.0f, crossing.v = 0.0f;
-    crossing.hit = (LANE_NUMBER(block->primitive, j) != ray.source) &
-                   (((u >= 0.0f) & (v >= 0.0f) & (w >= 0.0f)) | ((u <= 0.0f) & (v <= 0.0f) & (w <= 0.0f))) & (det != 0.0f);
+    crossing.hit &= (((u >= 0.0f) & (v >= 0.0f) & (w >= 0.0f)) | ((u <= 0.0f) & (v <= 0.0f) & (w <= 0.0f))) & (det != 0.0f);
     if (mask_bits(crossing.hit) == 0u) return crossing;
 
     crossing.u = v / det, crossing.v = w / det;

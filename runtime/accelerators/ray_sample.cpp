@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/integrators/coherence.h"
+#include "runtime/accelerators/traversals.h"
 #include "runtime/wavefront/work.h"
 
 namespace brandung {

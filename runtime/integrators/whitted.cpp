@@ -32,6 +32,7 @@ public:
           evaluate_(job.device, "kernels/stages/evaluate_surfaces.cl", "evaluate_surfaces", scene_.lists()),
           shade_(job.device, whitted_cl, "shade_whitted", scene_.lists()),
           accumulate_(job.device, "kernels/stages/accumulate.cl", "accumulate", scene_.lists()),
+          intersect_together_(tracing_kernel(job, traversal_for(job, true).closest_hit)),
           levels_(job.device, job.batch, branching_, branching_ == 0 ? 1 : params_.max_depth, job.compiled.interior_size, instances_, job.on_step),
           hits_(job.device, job.batch),
           hit_instances_(job.device, instances_ ? job.batch : 0),
@@ -46,9 +47,7 @@ public:
           no_tints_(job.device, 0),
           no_spectra_(job.device, 0),
           counter_(job.device, generate_.work_items(job.batch) * std::clamp(light_count_, 1u, lights_per_block)) {
-        if (traces_packets(job.device, job.compiled))
-            intersect_packets_.emplace(job.device, "kernels/stages/intersect_packets.cl", "intersect_packets", scene_.lists());
-        if (branching_ > 0 || !intersect_packets_) intersect_.emplace(job.device, "kernels/stages/intersect.cl", "intersect", scene_.lists());
+        if (branching_ > 0) intersect_apart_.emplace(tracing_kernel(job, traversal_for(job, false).closest_hit));
         if (branching_ > 0) secondary_.emplace(job, branching_);
         if (job.compiled.transmits) media_.emplace(job);
         if (job.compiled.tints) pictures_.emplace(job);
@@ -140,7 +139,7 @@ private:
     }
 
     void trace(const Wave &wave) {
-        Kernel &intersect = intersect_packets_ && are_coherent(wave.generation) ? *intersect_packets_ : *intersect_;
+        Kernel &intersect = are_coherent(wave.generation) ? intersect_together_ : *intersect_apart_;
         intersect(wave.count, scene_, wave, wave.level.rays, wave.level.sources, hits_, hit_instances_, media_ ? media_->crowded : no_bytes_,
                   shared(counter_.tallies()));
         counter_.add(intersect.work_items(wave.count));
@@ -184,7 +183,7 @@ private:
                       in_rows(shadows.rays, shadows.rows), in_rows(shadows.visible, shadows.rows));
         shadows.compact(shadows.visible, shadows.stride, count, rows, 0, 0, shadows.live);
         if (observation_) record_shadow_rays(wave, light, rows);
-        Kernel &trace = shadows.trace_packets && are_shadow_rays_coherent(wave.generation) ? *shadows.trace_packets : shadows.trace_singly;
+        Kernel &trace = are_shadow_rays_coherent(wave.generation) ? shadows.trace_together : *shadows.trace_apart;
         const Access live = in_rows(shadows.live, shadows.rows), rays = in_rows(shadows.rays, shadows.rows);
         const Access visible = in_rows(shadows.visible, shadows.rows), counts = shared(shadows.compact.counts());
         trace(Grid(count, rows), scene_, live, counts, shadows.stride, rays, hit_instances_, visible, shared(counter_.tallies()));
@@ -247,7 +246,8 @@ private:
     uint branching_;
     WhittedParams params_;
     Kernel generate_, evaluate_, shade_, accumulate_;
-    std::optional<Kernel> intersect_packets_, intersect_;
+    Kernel intersect_together_;
+    std::optional<Kernel> intersect_apart_;
     Levels levels_;
     Buffer<Hit> hits_;
     Buffer<uint> hit_instances_;  ///< of the hits, in scenes with instances

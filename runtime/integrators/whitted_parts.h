@@ -1,14 +1,22 @@
 /// Parts of Whitted's integrator that only some scenes need: each has kernels and what they write to.
 #pragma once
+#include <fmt/format.h>
+
 #include <optional>
 
-#include "runtime/integrators/coherence.h"
+#include "runtime/accelerators/traversals.h"
 #include "runtime/integrators/integrator.h"
 #include "runtime/wavefront/compaction.h"
 
 namespace brandung {
 
 inline constexpr const char *whitted_cl = "kernels/integrators/whitted.cl";
+
+/// Of a traversal: one of its stages.
+inline Kernel tracing_kernel(const IntegratorJob &job, const char *stage) {
+    return Kernel(job.device, fmt::format("kernels/stages/{}.cl", stage), stage, job.on_device.lists());
+}
+inline const Traversal &traversal_for(const IntegratorJob &job, bool coherent) { return traversal_of_render(coherent, job.device, job.compiled); }
 
 /// Mirrored and refracted rays: only where a material sends them.
 struct Secondary {
@@ -60,17 +68,16 @@ struct Shadows {
         : stride(job.batch + 16),  // strides that are powers of two fall into the same cache sets
           rows(rows),
           spawn(job.device, whitted_cl, "spawn_shadow_rays", job.on_device.lists()),
-          trace_singly(job.device, "kernels/stages/trace_shadow_rays_singly.cl", "trace_shadow_rays_singly", job.on_device.lists()),
+          trace_together(tracing_kernel(job, traversal_for(job, true).any_hit)),
           compact(job.device, stride, rows),
           rays(job.device, std::size_t{stride} * rows),
           visible(job.device, std::size_t{stride} * rows),
           live(job.device, std::size_t{stride} * rows) {
-        if (traces_packets(job.device, job.compiled))
-            trace_packets.emplace(job.device, "kernels/stages/trace_shadow_rays.cl", "trace_shadow_rays", job.on_device.lists());
+        if (branching(job.compiled) > 0) trace_apart.emplace(tracing_kernel(job, traversal_for(job, false).any_hit));
     }
     uint stride, rows;
-    Kernel spawn, trace_singly;
-    std::optional<Kernel> trace_packets;
+    Kernel spawn, trace_together;
+    std::optional<Kernel> trace_apart;
     Compaction compact;
     Buffer<Ray> rays;
     Buffer<std::uint8_t> visible;

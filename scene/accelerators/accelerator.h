@@ -34,10 +34,11 @@ struct BuiltAccelerator {
 /// The hull of a reference, for those who look closer than boxes.
 using Hulls = std::function<Hull(uint reference)>;
 
-/// `kernels/accelerators/<file>.cl` traverses what `build` makes; with `packets`, <file>_packets.cl does so with packets of rays.
+/// `kernels/accelerators/<file>.cl` traverses what `build` makes; with `packets`, <file>_packets.cl does so with packets of rays,
+/// with `interleaved`, <file>_interleaved.cl with rays in turn.
 struct AcceleratorKind {
     const char *name, *file;
-    bool packets;
+    bool packets, interleaved;
     /// The same for any number of threads. Throws SceneError where it cannot hold that many.
     BuiltAccelerator (*build)(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress);
 };

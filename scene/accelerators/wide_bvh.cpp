@@ -5,6 +5,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "scene/accelerators/bvh2.h"
 #include "scene/error.h"
@@ -117,9 +118,10 @@ Children children_of(const Collapse &collapse, uint index) {
     return children;
 }
 
-/// Boxes of children that don't exist are 0: finite, and the traversal asks for BVH_EMPTY.
 BvhNode empty_node() {
     BvhNode node{};
+    for (auto &low : node.low) std::fill(std::begin(low), std::end(low), std::numeric_limits<float>::infinity());
+    for (auto &high : node.high) std::fill(std::begin(high), std::end(high), -std::numeric_limits<float>::infinity());
     std::fill(std::begin(node.child), std::end(node.child), BVH_EMPTY);
     return node;
 }

@@ -79,8 +79,7 @@ TEST(Counts, OfTracingStagesAreThoseOfTheHitsReadBack) {
             }
             EXPECT_GT(expected.hits[RAY_CAMERA], 100u);
         };
-        expect_tally(traced.closest_hits(rays));
-        expect_tally(traced.closest_hits_of_packets(rays));
+        for (const Traversal &traversal : traced.traversals()) expect_tally(traced.closest_hits(traversal, rays));
 
         for (const std::string &stage : traced.shadow_stages()) {
             const std::vector<std::uint8_t> visible = traced.visible(stage, rays);

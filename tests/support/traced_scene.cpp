@@ -76,9 +76,16 @@ std::vector<std::uint8_t> TracedScene::visible(const std::string &stage, const s
     return visible.read();
 }
 
+std::vector<Traversal> TracedScene::traversals() const {
+    std::vector<Traversal> available;
+    for (const Traversal &traversal : brandung::traversals())
+        if (is_available(traversal, test_device(), compiled_)) available.push_back(traversal);
+    return available;
+}
+
 std::vector<std::string> TracedScene::shadow_stages() const {
-    std::vector<std::string> stages = {"trace_shadow_rays_singly"};
-    if (traces_packets()) stages.push_back("trace_shadow_rays");
+    std::vector<std::string> stages;
+    for (const Traversal &traversal : traversals()) stages.emplace_back(traversal.any_hit);
     return stages;
 }
 

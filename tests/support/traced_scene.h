@@ -6,6 +6,7 @@
 
 #include "kernels/core/items.h"
 #include "kernels/primitives/surface.h"
+#include "runtime/accelerators/traversals.h"
 #include "runtime/opencl/kernel.h"
 #include "runtime/wavefront/device_scene.h"
 #include "scene/accelerators/accelerator.h"
@@ -21,8 +22,8 @@ public:
 
     /// By stages/intersect.cl, one ray after another.
     std::vector<Hit> closest_hits(const std::vector<Ray> &rays) { return closest_hits("intersect", rays); }
-    /// By stages/intersect_packets.cl.
-    std::vector<Hit> closest_hits_of_packets(const std::vector<Ray> &rays) { return closest_hits("intersect_packets", rays); }
+    /// By one of traversals().
+    std::vector<Hit> closest_hits(const Traversal &traversal, const std::vector<Ray> &rays) { return closest_hits(traversal.closest_hit, rays); }
     /// By one of shadow_stages(): 1 where nothing is met before t_max.
     std::vector<std::uint8_t> visible(const std::string &stage, const std::vector<Ray> &rays);
     /// By primitives/primitive.cl; all zero where nothing was hit.
@@ -33,9 +34,9 @@ public:
     /// Those of the last closest hits; 0 in scenes without instances.
     const std::vector<uint> &instances() const { return instances_; }
 
-    /// Whether the accelerator traces packets.
-    bool traces_packets() const { return compiled_.accelerator->packets; }
-    /// One ray after another, and in packets where there are some.
+    /// Those that there are, rays one after another among them.
+    std::vector<Traversal> traversals() const;
+    /// Of the same.
     std::vector<std::string> shadow_stages() const;
 
     /// Sums of what the last call's work-items counted.

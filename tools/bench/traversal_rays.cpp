@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include "runtime/integrators/coherence.h"
+#include "runtime/accelerators/traversals.h"
 #include "runtime/wavefront/work.h"
 
 namespace brandung {

@@ -85,12 +85,11 @@ std::size_t count_hits(const std::vector<Hit> &hits) {
 void expect_equivalent(Scene &scene, const std::string &accelerator, const Query &query, const Found &expected, const std::string &what) {
     TracedScene traced(scene, accelerator);
     const std::vector<Ray> &rays = query.rays;
-    expect_same(find(traced, query), expected, rays, what + ", single rays");
+    traced.leave_instances(query.sources);
     const std::size_t hits = count_hits(expected.hits);
-    EXPECT_EQ(std::accumulate(traced.tally().hits, traced.tally().hits + RAY_KINDS, std::size_t{0}), hits);
-    if (traced.traces_packets()) {
-        const std::vector<Hit> of_packets = traced.closest_hits_of_packets(rays);
-        expect_same({of_packets, traced.instances()}, expected, rays, what + ", packets");
+    for (const Traversal &traversal : traced.traversals()) {
+        const std::vector<Hit> found = traced.closest_hits(traversal, rays);
+        expect_same({found, traced.instances()}, expected, rays, what + ", " + traversal.name);
         EXPECT_EQ(std::accumulate(traced.tally().rays, traced.tally().rays + RAY_KINDS, std::size_t{0}), rays.size());
         EXPECT_EQ(std::accumulate(traced.tally().hits, traced.tally().hits + RAY_KINDS, std::size_t{0}), hits);
     }

@@ -162,21 +162,24 @@ TEST(Instances, OfEqualHitsTheWorldsIsFirstAndThenTheEarlierInstances) {
     const std::vector<Ray> rays = rays_towards({0, 0, 0}, 0.6f, 4096);
     for (const char *accelerator : {"none", "wide_bvh"}) {
         TracedScene instanced(scene, accelerator);
-        for (const auto &hits : {instanced.closest_hits(rays), instanced.closest_hits_of_packets(rays)})
+        for (const Traversal &traversal : instanced.traversals()) {
+            const std::vector<Hit> hits = instanced.closest_hits(traversal, rays);
             for (std::size_t i = 0; i < rays.size(); ++i)
-                ASSERT_EQ(instanced.instances()[i], hits[i].primitive == NO_HIT ? 0u : 2u) << "the first of the group, the second of the scene";
+                ASSERT_EQ(instanced.instances()[i], hits[i].primitive == NO_HIT ? 0u : 2u) << traversal.name << ": the first of the group";
+        }
     }
     add_sphere(scene, 0, {0, 0, 0}, 1);
     for (const char *accelerator : {"none", "wide_bvh"}) {
         TracedScene with_world(scene, accelerator);
-        uint on_sphere = 0;
-        const std::vector<Hit> hits = with_world.closest_hits(rays), of_packets = with_world.closest_hits_of_packets(rays);
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (hits[i].primitive == 0) ++on_sphere;
-            ASSERT_EQ(with_world.instances()[i], hits[i].primitive == NO_HIT || hits[i].primitive == 0 ? 0u : 2u);
-            ASSERT_EQ(of_packets[i].primitive, hits[i].primitive);
+        for (const Traversal &traversal : with_world.traversals()) {
+            uint on_sphere = 0;
+            const std::vector<Hit> hits = with_world.closest_hits(traversal, rays);
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                if (hits[i].primitive == 0) ++on_sphere;
+                ASSERT_EQ(with_world.instances()[i], hits[i].primitive == NO_HIT || hits[i].primitive == 0 ? 0u : 2u) << traversal.name;
+            }
+            EXPECT_GT(on_sphere, 1000u) << traversal.name;
         }
-        EXPECT_GT(on_sphere, 1000u);
     }
 }
 
@@ -195,7 +198,8 @@ TEST(Instances, ARayMeetsWhatItLeavesInAnotherInstanceOnly) {
     std::vector<Ray> leaving = towards;
     for (Ray &ray : leaving) ray.tag = RAY_TAG(RAY_REFLECTED, triangle);
     traced.leave_instances({2});
-    for (const auto &hits : {traced.closest_hits(leaving), traced.closest_hits_of_packets(leaving)}) {
+    for (const Traversal &traversal : traced.traversals()) {
+        const std::vector<Hit> hits = traced.closest_hits(traversal, leaving);
         EXPECT_EQ(hits[0].primitive, triangle);
         EXPECT_EQ(hits[0].t, 2.0f);
         EXPECT_EQ(traced.instances()[0], 3u);
