@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -47,6 +48,7 @@ struct CompiledScene {
     double accelerator_seconds = 0;
     std::size_t node_bytes = 0;                         ///< of accelerators
     std::size_t block_bytes = 0;                        ///< of the primitives and instances in their blocks
+    std::size_t shading_bytes = 0;                      ///< of shading records, and of vertices' normals, coordinates and colours
     std::map<std::string, uint> warnings;               ///< the scene's and those found here: text -> how often
     std::map<std::string, std::string> warning_places;  ///< of both
 };
@@ -54,10 +56,17 @@ struct CompiledScene {
 /// Is told which part of an accelerator is built, from 0 to 1, now and then, by any thread, but one at a time.
 using WatchAccelerator = std::function<void(const AcceleratorKind &kind, double part)>;
 
+/// What one buffer of a device holds.
+struct ArenaLimit {
+    std::size_t bytes = std::numeric_limits<std::size_t>::max();
+    std::string device{};  ///< its name, for who reads the error
+};
+
 struct CompileOptions {
     Kinds kinds = Kinds::in_use;
     const AcceleratorKind *accelerator = nullptr;  ///< null: that which the scene asks for
     WatchAccelerator watch{};
+    ArenaLimit limit{};
 };
 
 /// Throws SceneError if the scene is too big, or names an unknown accelerator.

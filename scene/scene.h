@@ -8,6 +8,7 @@
 
 #include "kernels/core/params.h"
 #include "kernels/core/scene.h"
+#include "scene/accelerators/build_quality.h"
 #include "scene/primitives/shape.h"
 #include "scene/textures/texture.h"
 #include "scene/transform.h"
@@ -90,7 +91,8 @@ struct Scene {
     float background_turn = 0;    ///< by which it is turned about the y axis [turns]
     FilmSettings film;
     IntegratorSettings integrator;
-    std::string accelerator = "wide_bvh";               ///< or "auto", see runtime/accelerators/choose_accelerator.h
+    std::string accelerator = "wide_bvh";  ///< or "auto", see runtime/accelerators/choose_accelerator.h
+    BuildQuality accelerator_quality = BuildQuality::fast;
     std::map<std::string, uint> warnings;               ///< text -> how often
     std::map<std::string, std::string> warning_places;  ///< text -> where first, as "file:line", if that is known
     std::vector<std::string> notes;                     ///< what was chosen where the file says nothing, a line each

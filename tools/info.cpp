@@ -29,6 +29,7 @@ json describe(const Options &options) {
             {"film", {{"width", scene.film.width}, {"height", scene.film.height}, {"spp", scene.film.spp}}},
             {"integrator", scene.integrator.type},
             {"accelerator", job.compiled.accelerator->name},
+            {"accelerator_quality", quality(job)},
             {"memory", memory(job)},
             {"kernels", job.device.kernels()},
             {"features", features(job)},
@@ -37,15 +38,24 @@ json describe(const Options &options) {
             {"warning_places", job.compiled.warning_places}};
 }
 
+/// What the scene's primitives take.
+std::string per_primitive(const json &memory, double count) {
+    const auto part = [&](const char *name) { return memory[name].get<double>() / count; };
+    if (count == 0) return "";
+    return fmt::format("          bytes per primitive: {:.1f} for tracing ({:.1f} of nodes, {:.1f} of blocks), {:.1f} for shading\n",
+                       part("node_bytes") + part("block_bytes"), part("node_bytes"), part("block_bytes"), part("shading_bytes"));
+}
+
 std::string as_text(const json &description) {
     const json &film = description["film"], &memory = description["memory"];
     std::string text = fmt::format("{}\n  has     {}\n", text_of(description["file"]), contents_text(description["scene"]));
     text += fmt::format("  picture {} x {} pixels, {} spp, camera '{}'\n", film["width"].dump(), film["height"].dump(), film["spp"].dump(),
                         text_of(description["camera"]));
-    text += fmt::format("  method  integrator {}, accelerator {}, on {}\n", text_of(description["integrator"]), text_of(description["accelerator"]),
-                        text_of(description["device"]));
+    text += fmt::format("  method  integrator {}, accelerator {}{}, on {}\n", text_of(description["integrator"]), text_of(description["accelerator"]),
+                        description["accelerator_quality"] == "high" ? ", quality high" : "", text_of(description["device"]));
     for (const char *part : {"scene", "texture", "film", "wave"})
         text += fmt::format("  memory  {:<8}{}\n", part, bytes_text(memory[std::string(part) + "_bytes"]));
+    text += per_primitive(memory, description["scene"]["primitives"]);
     for (const json &note : description["notes"]) text += text_of(note) + "\n";
     return text + warnings_text(description["warnings"], description["warning_places"]) + explain(description["features"]) +
            fmt::format("kernels {}\n", fmt::join(description["kernels"].get<std::vector<std::string>>(), " "));

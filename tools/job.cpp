@@ -23,6 +23,10 @@ std::optional<AcceleratorChoice> choose(const Scene &scene, const CameraDescript
     return choose_accelerator(device, scene, camera, options.batch, {watch.on_trial, watch.on_accelerator});
 }
 
+CompileOptions compile_options(const Device &device, const std::optional<AcceleratorChoice> &choice, const JobWatch &watch) {
+    return {.accelerator = choice ? choice->trials.front().kind : nullptr, .watch = watch.on_accelerator, .limit = limit_of(device)};
+}
+
 }  // namespace
 
 std::string check_trust(const DeviceInfo &device, bool take_it_all_the_same) {
@@ -41,8 +45,7 @@ Job::Job(const Scene &scene, const SceneOptions &options, JobWatch watch, const 
       device(timed(seconds.device, [&] { return select_device(options, watch); })),
       distrust(check_trust(device.info(), options.untrusted_device)),
       choice(timed(seconds.choice, [&] { return choose(scene, camera, options, watch); })),
-      compiled(timed(seconds.scene,
-                     [&] { return compile(scene, {.accelerator = choice ? choice->trials.front().kind : nullptr, .watch = watch.on_accelerator}); })),
+      compiled(timed(seconds.scene, [&] { return compile(scene, compile_options(device, choice, watch)); })),
       on_device(timed(seconds.device, [&] { return DeviceScene(device, compiled); })),
       film(timed(seconds.kernels, [&] { return Film(device, scene.film.window()); })),
       aovs(timed(seconds.kernels,

@@ -26,7 +26,8 @@ std::vector<std::string> features_in_use(const Job &job) {
     for (const uint kind : compiled.bsdfs) used.push_back(std::string("material ") + bsdf_kinds()[kind].name);
     for (const uint kind : compiled.lights) used.push_back(std::string("light ") + light_kinds()[kind].name);
     if (compiled.emissive_instances) used.push_back("emissive shapes of instances as lights");
-    used.push_back(fmt::format("accelerator {}{}", compiled.accelerator->name, job.choice ? ", " + text_of(*job.choice) : ""));
+    used.push_back(fmt::format("accelerator {}{}{}", compiled.accelerator->name, quality(job) == "high" ? ", quality high" : "",
+                               job.choice ? ", " + text_of(*job.choice) : ""));
     used.push_back(std::string("sampler ") + sampler_kinds()[compiled.sampler].name);
     used.push_back(std::string("filter ") + filter_kinds()[compiled.filter].name);
     for (const uint aov : scene.film.aovs) used.push_back(std::string("AOV ") + aov_kinds()[aov].name);
@@ -145,8 +146,16 @@ std::string explain(const json &features) {
     return text;
 }
 
+json quality(const Job &job) {
+    if (!job.compiled.accelerator->qualities) return nullptr;
+    return name_of(job.scene.accelerator_quality);
+}
+
 json memory(const Job &job) {
     return {{"scene_bytes", job.on_device.bytes()},
+            {"node_bytes", job.compiled.node_bytes},
+            {"block_bytes", job.compiled.block_bytes},
+            {"shading_bytes", job.compiled.shading_bytes},
             {"texture_bytes", job.on_device.texture_bytes()},
             {"wave_bytes", job.renderer.wave_bytes()},
             {"film_bytes", job.film_bytes()}};
@@ -180,6 +189,7 @@ json statistics(const Job &job, const PhaseSeconds &seconds, const RenderEnd &en
             {"distrust", job.distrust},
             {"integrator", job.scene.integrator.type},
             {"accelerator", job.compiled.accelerator->name},
+            {"accelerator_quality", quality(job)},
             {"accelerator_choice", choice(job)},
             {"width", film.width},
             {"height", film.height},

@@ -20,6 +20,8 @@ nlohmann::json features(const Job &job);
 std::string explain(const nlohmann::json &features);
 /// {"scene_bytes": ..., "texture_bytes": ..., "wave_bytes": ..., "film_bytes": ...}
 nlohmann::json memory(const Job &job);
+/// That of the accelerator in use; null if it knows but one.
+nlohmann::json quality(const Job &job);
 /// [{"name": text, "why": text}, ...]: what makes the picture wrong beyond noise.
 nlohmann::json biases(const Job &job);
 /// {"relmse": ..., "confidence_95": [low, high]}, or null.

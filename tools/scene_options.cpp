@@ -82,6 +82,7 @@ std::vector<std::string> assignments(const SceneOptions &options) {
     if (!options.shadows.empty()) add("integrator.shadows", options.shadows);
     if (!options.integrator.empty()) add("integrator.type", options.integrator);
     if (!options.accelerator.empty()) add("accelerator", options.accelerator);
+    if (!options.accelerator_quality.empty()) add("accelerator_quality", options.accelerator_quality);
     if (!options.background.empty())
         add("background", background_value(options.background).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     all.insert(all.end(), options.varied.begin(), options.varied.end());
@@ -184,6 +185,8 @@ void add_scene_options(CLI::App &command, SceneOptions &options) {
 
 void add_scene_settings(CLI::App &command, SceneOptions &options) {
     add_any_setting(command, options);
+    command.add_option("--accelerator-quality", options.accelerator_quality,
+                       "how wide_bvh is built: fast, or high, which takes longer and makes rays faster (default: the scene's, or fast)");
     add_picture_options(command, options);
     add_view_options(command, options);
     add_light_options(command, options);

@@ -13,7 +13,8 @@ class App;
 namespace brandung {
 
 struct SceneOptions {
-    std::string scene, integrator, accelerator, follow, shadows, size, crop, pixel, sampler, filter, exposure, tone, camera, background, device;
+    std::string scene, integrator, accelerator, accelerator_quality, follow, shadows, size, crop, pixel, sampler, filter, exposure, tone, camera,
+        background, device;
     std::vector<std::string> aovs;
     std::string from, at, up;           ///< "X,Y,Z", or empty for the camera's own
     std::optional<float> fov;           ///< [degrees]

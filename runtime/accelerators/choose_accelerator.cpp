@@ -69,14 +69,15 @@ double trace(RayTracing &tracing, const WeighedSample &sample, uint batch, doubl
 struct GivenUp {};
 
 /// Nothing if it takes longer than `limit` [s].
-std::optional<CompiledScene> build(const Scene &scene, const AcceleratorKind &kind, double limit, const WatchAccelerator &watch) {
+std::optional<CompiledScene> build(const Device &device, const Scene &scene, const AcceleratorKind &kind, double limit,
+                                   const WatchAccelerator &watch) {
     const double start = seconds_now();
     const auto goes_on = [&](const AcceleratorKind &built, double part) {
         if (seconds_now() - start > limit) throw GivenUp();
         if (watch) watch(built, part);
     };
     try {
-        return compile(scene, {.accelerator = &kind, .watch = goes_on});
+        return compile(scene, {.accelerator = &kind, .watch = goes_on, .limit = limit_of(device)});
     } catch (const GivenUp &) {
         return {};
     }
@@ -92,7 +93,7 @@ AcceleratorChoice choose_accelerator(Device &device, const Scene &scene, const C
         if (watch.on_trial) watch.on_trial(kind);
         TriedAccelerator trial{.kind = &kind, .trace_seconds = std::numeric_limits<double>::infinity()};
         const double start = seconds_now(), limit = std::max(1.0, 2 * best);
-        const std::optional<CompiledScene> compiled = build(scene, kind, limit, watch.on_accelerator);
+        const std::optional<CompiledScene> compiled = build(device, scene, kind, limit, watch.on_accelerator);
         if (!compiled) {
             trial.build_seconds = seconds_now() - start;
         } else if (trial.build_seconds = compiled->accelerator_seconds;

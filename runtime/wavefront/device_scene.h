@@ -5,6 +5,9 @@
 
 namespace brandung {
 
+/// What one of its buffers holds.
+inline ArenaLimit limit_of(const Device &device) { return {device.info().largest_allocation, device.info().name}; }
+
 /// As kernel argument it is SCENE_PARAMS, header and arena, for kernels that look for something among the primitives.
 class DeviceScene {
 public:

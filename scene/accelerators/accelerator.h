@@ -8,6 +8,7 @@
 
 #include "kernels/core/scene.h"
 #include "scene/accelerators/build_progress.h"
+#include "scene/accelerators/build_quality.h"
 #include "scene/bounds.h"
 #include "scene/primitives/hull.h"
 
@@ -34,13 +35,13 @@ struct BuiltAccelerator {
 /// The hull of a reference, for those who look closer than boxes.
 using Hulls = std::function<Hull(uint reference)>;
 
-/// `kernels/accelerators/<file>.cl` traverses what `build` makes; with `packets`, <file>_packets.cl does so with packets of rays,
-/// with `interleaved`, <file>_interleaved.cl with rays in turn.
+/// `kernels/accelerators/<file>.cl` traverses what `build` makes; with `packets`, <file>_packets.cl does so with packets of rays, with `interleaved`,
+/// <file>_interleaved.cl with rays in turn. Without `qualities` all are built alike.
 struct AcceleratorKind {
     const char *name, *file;
-    bool packets, interleaved;
+    bool packets, interleaved, qualities;
     /// The same for any number of threads. Throws SceneError where it cannot hold that many.
-    BuiltAccelerator (*build)(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress);
+    BuiltAccelerator (*build)(std::span<const Reference> references, const Hulls &hulls, BuildQuality quality, BuildProgress &progress);
 };
 const std::vector<AcceleratorKind> &accelerator_kinds();
 /// Throws SceneError with the list of names. Where nothing can be tried "auto" is the default, the first.

@@ -8,115 +8,184 @@
 namespace brandung {
 namespace {
 
-constexpr uint max_bins = 32;    ///< fewer cost a ray more steps
-constexpr size_t grain = 32768;  ///< references of a task
+constexpr uint min_bins = 8, max_bins = 32;  ///< fewer cost a ray more steps
+constexpr size_t grain = 32768;              ///< references of a task
 
 using References = std::span<const SortedReference>;
 
-/// `fill` adds references to a result. Only minima, maxima and counts of integers are taken, so how they are cut into tasks doesn't show.
-template <class Result, class Fill> void reduce(References references, Result &result, const Fill &fill) {
+/// `add` adds references to a sum. Only minima, maxima and counts of integers are taken, so how they are cut into tasks doesn't show.
+template <class Sum, class Add> void reduce(References references, Sum &sum, const Add &add) {
     if (references.size() <= grain) {
-        fill(result, references);
+        add(sum, references);
     } else {
         const tbb::blocked_range<size_t> all(0, references.size(), grain);
-        const auto fill_piece = [&](const tbb::blocked_range<size_t> &piece, Result partial) {
-            fill(partial, references.subspan(piece.begin(), piece.size()));
+        const auto add_piece = [&](const tbb::blocked_range<size_t> &piece, const Sum &before) {
+            Sum partial = before;
+            add(partial, references.subspan(piece.begin(), piece.size()));
             return partial;
         };
-        const auto join = [](Result a, const Result &b) {
-            a.add(b);
-            return a;
+        const auto join = [](const Sum &a, const Sum &b) {
+            Sum sum = a;
+            sum.add(b);
+            return sum;
         };
-        result = tbb::parallel_reduce(all, Result{}, fill_piece, join);
+        sum = tbb::parallel_reduce(all, sum, add_piece, join);
     }
 }
 
-struct Measure : Extent {
-    void add(const Measure &other) { boxes.add(other.boxes), centres.add(other.centres); }
-};
+/// Numbers of references. Most ranges hold one kind, and need but one.
+struct OneKind {
+    uint count = 0;
 
-struct Bin {
-    KindBox box = KindBox::nothing();
+    uint total() const { return count; }
+    void add(uint) { ++count; }
+    void add(const OneKind &other) { count += other.count; }
+    uint blocks() const { return (count + BLOCK_SIZE - 1) / BLOCK_SIZE; }
+};
+struct ManyKinds {
     std::array<uint, MAX_PRIMITIVE_KINDS> counts{};
 
-    void add(const Bin &other) {
-        box.add(other.box);
+    uint total() const {
+        uint total = 0;
+        for (const uint count : counts) total += count;
+        return total;
+    }
+    void add(uint kind) { ++counts[kind]; }
+    void add(const ManyKinds &other) {
         for (uint kind = 0; kind < MAX_PRIMITIVE_KINDS; ++kind) counts[kind] += other.counts[kind];
     }
-    double cost(double pad) const {
+    uint blocks() const {
         uint blocks = 0;
         for (const uint count : counts) blocks += (count + BLOCK_SIZE - 1) / BLOCK_SIZE;
-        return box.half_area(pad) * blocks;
+        return blocks;
     }
 };
 
-struct Bins {
-    std::array<Bin, max_bins> of;
+/// How references fall into bins along all axes. Both ends of an axis with extent hold some; along others all are in the first bin.
+struct Binning {
+    typedef int Places __attribute__((vector_size(4 * axes)));
 
-    void add(const Bins &other) {
-        for (uint bin = 0; bin < max_bins; ++bin) of[bin].add(other.of[bin]);
-    }
-};
+    Point4 base, scale;
 
-/// A range with fewer references than bins would mostly weigh the same splits twice.
-uint bin_count(size_t references) { return uint(std::min<size_t>(max_bins, references)); }
-
-struct Candidate {
-    Split split;
-    double cost = DBL_MAX;
-};
-
-void try_axis(const Bins &bins, uint count, Split split, double pad, Candidate &best) {
-    std::array<double, max_bins> second_cost;
-    Bin second;
-    for (uint bin = count - 1; bin > 0; --bin) {
-        second.add(bins.of[bin]);
-        second_cost[bin - 1] = second.box.empty() ? DBL_MAX : second.cost(pad);
-    }
-    Bin first;
-    for (uint bin = 0; bin + 1 < count; ++bin) {
-        first.add(bins.of[bin]);
-        const double cost = first.box.empty() ? DBL_MAX : first.cost(pad) + second_cost[bin];
-        if (cost < best.cost) {
-            split.last = int(bin);
-            best = {split, cost};
+    Binning(const KindBox &centres, uint count) : base(centres.low) {
+        for (uint axis = 0; axis < axes; ++axis) {
+            const float extent = centres.high[axis] - centres.low[axis];
+            scale[axis] = extent < 1e-30f ? 0 : 0.9999f * float(count) / extent;  // it stays finite
         }
     }
+    /// By the formula of Split::is_first().
+    Places places(const KindBox &box) const { return __builtin_convertvector((box.half_centre() - base) * scale, Places); }
+};
+
+template <class Counts> struct BinsOfAxis {
+    alignas(32) std::array<KindBox, max_bins> boxes;
+    std::array<Counts, max_bins> counts;
+};
+
+/// Boxes and numbers of what is in the bins of some axes.
+template <class Counts, uint first_axis, uint last_axis> class Bins {
+public:
+    explicit Bins(uint count) : count_(count) { clear(); }
+
+    void add(References references, const Binning &binning) {
+        size_t done = 0;
+        if (references.size() >= 256) {
+            // Neighbours fall in the same bins, and one waits for the other there: with two sets of bins, half as long.
+            Bins others(count_);
+            const size_t half = references.size() / 2;
+            for (; done < half; ++done) add(references[done], binning), others.add(references[half + done], binning);
+            done *= 2;
+            add(others);
+        }
+        for (; done < references.size(); ++done) add(references[done], binning);
+    }
+    void add(const Bins &other) {
+        for (uint axis = first_axis; axis <= last_axis; ++axis) {
+            for (uint bin = 0; bin < count_; ++bin) {
+                of_[axis].boxes[bin].add(other.of_[axis].boxes[bin]);
+                of_[axis].counts[bin].add(other.of_[axis].counts[bin]);
+            }
+        }
+    }
+    const BinsOfAxis<Counts> &of(uint axis) const { return of_[axis]; }
+
+private:
+    void add(const SortedReference &reference, const Binning &binning) {
+        const Binning::Places places = binning.places(reference.box);
+        for (uint axis = first_axis; axis <= last_axis; ++axis) {
+            of_[axis].boxes[uint(places[axis])].add(reference.box);
+            of_[axis].counts[uint(places[axis])].add(reference.box.kind());
+        }
+    }
+    void clear() {
+        for (uint axis = first_axis; axis <= last_axis; ++axis) {
+            std::fill_n(of_[axis].boxes.begin(), count_, KindBox::nothing());
+            of_[axis].counts.fill({});
+        }
+    }
+
+    uint count_;
+    std::array<BinsOfAxis<Counts>, last_axis + 1> of_;
+};
+
+struct Candidate {
+    float cost = FLT_MAX;
+    uint axis = 0;
+    int last = -1;
+};
+
+template <class Counts> void try_axis(const BinsOfAxis<Counts> &bins, uint count, uint axis, const RelativeArea &area, Candidate &best) {
+    std::array<float, max_bins> second_cost;
+    KindBox box = KindBox::nothing();
+    Counts counts;
+    for (uint bin = count - 1; bin > 0; --bin) {
+        box.add(bins.boxes[bin]), counts.add(bins.counts[bin]);
+        second_cost[bin - 1] = area(box) * float(counts.blocks());
+    }
+    box = KindBox::nothing(), counts = Counts();
+    float least = FLT_MAX;
+    int last = -1;
+    for (uint bin = 0; bin + 1 < count; ++bin) {
+        box.add(bins.boxes[bin]), counts.add(bins.counts[bin]);
+        const float cost = area(box) * float(counts.blocks()) + second_cost[bin];
+        last = cost < least ? int(bin) : last;
+        least = std::min(cost, least);
+    }
+    if (least < best.cost) best = {least, axis, last};
 }
+
+template <class Counts, uint first_axis, uint last_axis>
+Split choose(References references, const KindBox &centres, uint count, const RelativeArea &area) {
+    const Binning binning(centres, count);
+    using Sum = Bins<Counts, first_axis, last_axis>;
+    Sum bins(count);
+    reduce(references, bins, [&](Sum &sum, References piece) { sum.add(piece, binning); });
+    Candidate best;
+    for (uint axis = first_axis; axis <= last_axis; ++axis)
+        if (binning.scale[axis] > 0) try_axis(bins.of(axis), count, axis, area, best);
+    Split split{.axis = best.axis, .base = binning.base[best.axis], .scale = binning.scale[best.axis], .last = best.last};
+    for (int bin = 0; bin <= split.last; ++bin) split.first_count += bins.of(split.axis).counts[uint(bin)].total();
+    return split;
+}
+
+/// A range with few references would mostly weigh the same splits twice.
+uint bin_count(size_t references) { return uint(std::clamp<size_t>(references / 2, min_bins, max_bins)); }
 
 }  // namespace
 
 Extent measure(References references) {
-    Measure extent;
-    reduce(references, extent, [](Measure &sum, References piece) {
-        for (const SortedReference &reference : piece) {
-            const Point4 centre = reference.box.half_centre();
-            sum.boxes.add(reference.box);
-            sum.centres.add(centre, centre);
-        }
+    Extent extent;
+    reduce(references, extent, [](Extent &sum, References piece) {
+        for (const SortedReference &reference : piece) sum.add(reference);
     });
     return extent;
 }
 
-Split choose_split(References references, const KindBox &centres, double pad) {
-    const bool by_kind_only = references.size() <= BLOCK_SIZE && !centres.one_kind();
-    const uint count = by_kind_only ? max_bins : bin_count(references.size());
-    Candidate best;
-    for (uint axis = by_kind_only ? kind_axis : 0; axis < axes; ++axis) {
-        const float extent = centres.high[axis] - centres.low[axis];
-        if (extent < 1e-30f) continue;  // the scale below stays finite
-        const Split split{.axis = axis, .base = centres.low[axis], .scale = 0.9999f * float(count) / extent};
-        Bins bins;
-        reduce(references, bins, [&](Bins &sum, References piece) {
-            for (const SortedReference &reference : piece) {
-                Bin &bin = sum.of[split.bin(reference.box.half_centre(axis))];
-                bin.box.add(reference.box);
-                ++bin.counts[reference.box.kind()];
-            }
-        });
-        try_axis(bins, count, split, pad, best);
-    }
-    return best.split;
+Split choose_split(References references, const KindBox &centres, const RelativeArea &area) {
+    const uint count = bin_count(references.size());
+    if (centres.one_kind()) return choose<OneKind, 0, kind_axis - 1>(references, centres, count, area);
+    if (references.size() <= BLOCK_SIZE) return choose<ManyKinds, kind_axis, kind_axis>(references, centres, max_bins, area);
+    return choose<ManyKinds, 0, kind_axis>(references, centres, count, area);
 }
 
 }  // namespace brandung

@@ -203,7 +203,7 @@ template <class Record> void append(std::vector<std::byte> &bytes, const std::ve
 
 }  // namespace
 
-BuiltAccelerator build_bounding_volumes(std::span<const Reference> references, const Hulls &hulls, BuildProgress &progress) {
+BuiltAccelerator build_bounding_volumes(std::span<const Reference> references, const Hulls &hulls, BuildQuality, BuildProgress &progress) {
     progress.begin(references.size() * std::bit_width(references.size() / BLOCK_SIZE + 1));  // about so many levels, each of all
     Flattened flat;
     if (!references.empty()) {

@@ -2,9 +2,9 @@
 #pragma once
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "scene/accelerators/kind_box.h"
+#include "scene/accelerators/large_array.h"
 
 namespace brandung {
 
@@ -19,17 +19,25 @@ struct Bvh2Node {
 
 /// The tree is the same for any number of threads, only the places of its nodes are not.
 struct Bvh2 {
-    std::vector<SortedReference> references;
-    std::unique_ptr<Bvh2Node[]> nodes;  ///< the root first; parents before their children
+    LargeArray<SortedReference> references;
+    LargeArray<Bvh2Node> nodes;  ///< the root first; parents before their children
     uint node_count = 0;
-    double pad = 0;  ///< for KindBox::half_area
+    RelativeArea area_of;
 
-    double area(const Bvh2Node &node) const { return node.box.half_area(pad); }
+    float area(const Bvh2Node &node) const { return area_of(node.box); }
 };
 
-/// Parallel build by binned SAH. All leaves fit a block; so do some nodes above leaves, for the collapse to choose from.
-/// Counts every reference once as progress, which its user begins.
-/// Leaves are at most ceil(log2(size of references)) + `slack` below the root: 0 gives a balanced tree. There must be a reference.
-Bvh2 build_bvh2(std::span<const Reference> references, uint slack, BuildProgress &progress);
+struct Bvh2Options {
+    uint slack;  ///< leaves are at most depth_limit(references, slack) below the root; 0 gives a balanced tree
+    /// Of what fits a block, ranges of so many references and more are offered in pieces as well, for the collapse to choose from; above
+    /// BLOCK_SIZE none is.
+    uint smallest_divided = BLOCK_SIZE + 1;
+};
+/// Levels below the root: those of a balanced tree over so many references, and `slack` more.
+uint depth_limit(size_t references, uint slack);
+
+/// Parallel build by binned SAH. All leaves fit a block; so may some nodes above leaves. Counts every reference once as progress, which its user
+/// begins. There must be a reference.
+Bvh2 build_bvh2(std::span<const Reference> references, const Bvh2Options &options, BuildProgress &progress);
 
 }  // namespace brandung

@@ -149,10 +149,10 @@ BuiltAccelerator build(std::span<const Reference> references, ChooseKdSplit choo
 
 }  // namespace
 
-BuiltAccelerator build_kd_tree(std::span<const Reference> references, const Hulls &, BuildProgress &progress) {
+BuiltAccelerator build_kd_tree(std::span<const Reference> references, const Hulls &, BuildQuality, BuildProgress &progress) {
     return build(references, cheapest_split, "kd_tree", progress);
 }
-BuiltAccelerator build_kd_tree_median(std::span<const Reference> references, const Hulls &, BuildProgress &progress) {
+BuiltAccelerator build_kd_tree_median(std::span<const Reference> references, const Hulls &, BuildQuality, BuildProgress &progress) {
     return build(references, median_split, "kd_tree_median", progress);
 }
 

@@ -4,7 +4,7 @@
 namespace brandung {
 
 /// Blocks in scene order, each full but the last of its kind.
-BuiltAccelerator build_none(std::span<const Reference> references, const Hulls &, BuildProgress &) {
+BuiltAccelerator build_none(std::span<const Reference> references, const Hulls &, BuildQuality, BuildProgress &) {
     BuiltAccelerator accelerator;
     for (uint i = 0; i < references.size(); ++i) {
         std::vector<PrimitiveBlock> &blocks = accelerator.blocks[references[i].kind];

@@ -154,7 +154,7 @@ uint flatten(const OctreeCell &cell, Flattened &flat) {
 
 }  // namespace
 
-BuiltAccelerator build_octree(std::span<const Reference> references, const Hulls &, BuildProgress &progress) {
+BuiltAccelerator build_octree(std::span<const Reference> references, const Hulls &, BuildQuality, BuildProgress &progress) {
     progress.begin(std::uint64_t(most_per_reference * double(references.size())));
     const Octree octree = octree_around(references);
     std::vector<UnitBox> boxes(references.size());

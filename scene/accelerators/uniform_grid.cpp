@@ -141,7 +141,7 @@ bool pays(std::uint64_t entries, std::size_t cells, std::size_t references) {
 
 }  // namespace
 
-BuiltAccelerator build_uniform_grid(std::span<const Reference> references, const Hulls &, BuildProgress &progress) {
+BuiltAccelerator build_uniform_grid(std::span<const Reference> references, const Hulls &, BuildQuality, BuildProgress &progress) {
     progress.begin(references.size());
     const Bounds bounds = bounds_of(references);
     for (double cells = cells_per_reference * double(std::max<std::size_t>(references.size(), 1));; cells = std::floor(cells / 8)) {

@@ -2,91 +2,26 @@
 #include "kernels/accelerators/wide_bvh.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_invoke.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "scene/accelerators/bvh2.h"
+#include "scene/accelerators/reinsertion.h"
+#include "scene/accelerators/wide_cut.h"
 #include "scene/error.h"
 
 namespace brandung {
 namespace {
 
-constexpr uint serial_below = 4096;  ///< references of a subtree that is one task
 constexpr uint most_slack = 16;
+constexpr uint piece_size = 16384;         ///< references of a subtree that is one task
+constexpr uint high_smallest_divided = 5;  ///< for quality high: offering smaller blocks in pieces gains next to nothing
 
-/// How to cut the binary tree into wide nodes at the least expected cost of a ray, a node and a block costing the same: Ylitie, Karras, Laine,
-/// Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs (HPG 2017), section 3.1. It has fewer nodes than opening the
-/// largest child until there are 8, and rays need fewer steps.
-struct Cut {
-    std::array<double, BVH_WIDTH> cost;         ///< [j]: of the subtree as up to j children of one wide node; j > 0
-    std::array<uint8_t, BVH_WIDTH + 1> shares;  ///< [j]: so many of the j go to the first binary child; 0: the subtree is one child
-    bool is_leaf;                               ///< as one child it is a block, not a node
-};
-
-/// The cheapest way to make `width` children of the two binary children.
-double share(const Cut &first, const Cut &second, uint width, uint8_t &first_share) {
-    double best = DBL_MAX;
-    for (uint j = 1; j < width; ++j) {
-        const double cost = first.cost[j] + second.cost[width - j];
-        if (cost < best) {
-            best = cost;
-            first_share = uint8_t(j);
-        }
-    }
-    return best;
-}
-
-Cut cut_leaf(double area) {
-    Cut cut{.cost = {}, .shares = {}, .is_leaf = true};
-    cut.cost.fill(area);
-    return cut;
-}
-
-Cut cut_inner(double area, bool fits_block, const Cut &first, const Cut &second) {
-    Cut cut{.cost = {}, .shares = {}, .is_leaf = false};
-    const double as_node = area + share(first, second, BVH_WIDTH, cut.shares[BVH_WIDTH]);
-    cut.is_leaf = fits_block && area <= as_node;
-    cut.cost[1] = cut.is_leaf ? area : as_node;
-    for (uint j = 2; j < BVH_WIDTH; ++j) {
-        cut.cost[j] = share(first, second, j, cut.shares[j]);
-        if (cut.cost[1] <= cut.cost[j]) {
-            cut.cost[j] = cut.cost[1];
-            cut.shares[j] = 0;
-        }
-    }
-    return cut;
-}
-
-void cut_subtree(const Bvh2 &tree, uint index, Cut *cuts) {
-    const Bvh2Node &node = tree.nodes[index];
-    const uint children = node.children;
-    if (children == 0) {
-        cuts[index] = cut_leaf(tree.area(node));
-        return;
-    }
-    const auto cut_first = [&] { cut_subtree(tree, children, cuts); };
-    const auto cut_second = [&] { cut_subtree(tree, children + 1, cuts); };
-    if (node.count < serial_below) {
-        cut_first();
-        cut_second();
-    } else {
-        tbb::parallel_invoke(cut_first, cut_second);
-    }
-    cuts[index] = cut_inner(tree.area(node), node.fits_block(), cuts[children], cuts[children + 1]);
-}
-
-struct Collapse {
-    const Bvh2 &tree;
-    BuildProgress &progress;
-    std::unique_ptr<Cut[]> cuts;
-    std::array<std::vector<PrimitiveBlock>, MAX_PRIMITIVE_KINDS> blocks;
-    std::vector<BvhNode> nodes;
-    uint stack_entries = 1;  // that a ray needs if it meets all boxes and visits the children in the worst order
-
-    Collapse(const Bvh2 &binary, BuildProgress &progress)
-        : tree(binary), progress(progress), cuts(std::make_unique_for_overwrite<Cut[]>(binary.node_count)) {}
+struct BinaryTree {
+    const Bvh2 &nodes;
+    LargeArray<Cut> cuts;
 };
 
 struct Children {
@@ -94,27 +29,29 @@ struct Children {
     uint count = 0;
 };
 
-void add_children(const Collapse &collapse, uint index, uint width, Children &children) {
-    const uint first_share = collapse.cuts[index].shares[width];
+void add_children(const BinaryTree &tree, uint index, uint width, Children &children) {
+    const uint first_share = tree.cuts[index].shares[width];
     if (first_share == 0) {
         children.nodes[children.count++] = index;
         return;
     }
-    const uint first = collapse.tree.nodes[index].children;
-    add_children(collapse, first, first_share, children);
-    add_children(collapse, first + 1, width - first_share, children);
+    const uint first = tree.nodes.nodes[index].children;
+    add_children(tree, first, first_share, children);
+    add_children(tree, first + 1, width - first_share, children);
 }
 
 /// Largest first.
-Children children_of(const Collapse &collapse, uint index) {
+Children children_of(const BinaryTree &tree, uint index) {
     Children children;
-    if (collapse.cuts[index].is_leaf) {
+    if (tree.cuts[index].is_leaf) {
         children = {.nodes = {index}, .count = 1};  // only the root has a node nevertheless
     } else {
-        add_children(collapse, index, BVH_WIDTH, children);
+        add_children(tree, index, BVH_WIDTH, children);
     }
-    const auto has_more = [&](uint a, uint b) { return collapse.tree.nodes[a].count > collapse.tree.nodes[b].count; };
-    std::stable_sort(children.nodes.begin(), children.nodes.begin() + children.count, has_more);
+    // An insertion sort: stable, and without the memory that std::stable_sort takes.
+    const auto size = [&](uint node) { return tree.nodes.nodes[node].count; };
+    for (uint i = 1; i < children.count; ++i)
+        for (uint j = i; j > 0 && size(children.nodes[j - 1]) < size(children.nodes[j]); --j) std::swap(children.nodes[j - 1], children.nodes[j]);
     return children;
 }
 
@@ -126,67 +63,177 @@ BvhNode empty_node() {
     return node;
 }
 
-uint add_block(Collapse &collapse, const Bvh2Node &leaf) {
-    const uint kind = leaf.box.kind();
-    std::vector<PrimitiveBlock> &blocks = collapse.blocks[kind];
-    if (blocks.size() == BVH_BLOCK) {  // the word of one more would be BVH_EMPTY in the last kind
-        throw SceneError(fmt::format("wide_bvh: cannot hold more than {} blocks of {} primitives of one kind", BVH_BLOCK, BLOCK_SIZE));
+void set_child(BvhNode &node, uint slot, const KindBox &box, uint word) {
+    node.child[slot] = word;
+    for (uint axis = 0; axis < 3; ++axis) {
+        node.low[axis][slot] = box.low[axis];
+        node.high[axis][slot] = box.high[axis];
     }
-    PrimitiveBlock block{.references = {}, .count = leaf.count};
-    for (uint i = 0; i < leaf.count; ++i) block.references[i] = collapse.tree.references[leaf.first + i].index;
-    std::sort(block.references.begin(), block.references.begin() + leaf.count);
-    blocks.push_back(block);
-    collapse.progress.add(leaf.count);
-    return BVH_LEAF | kind << BVH_KIND_SHIFT | uint(blocks.size() - 1);
 }
 
-/// Depth first, so that what is near in space is near in memory. `pending`: entries on the stack of a ray that arrives here.
-uint add_node(Collapse &collapse, uint index, uint pending) {
-    const Children children = children_of(collapse, index);
-    const uint place = uint(collapse.nodes.size());
-    collapse.nodes.push_back(empty_node());
-    pending += children.count - 1;
-    collapse.stack_entries = std::max(collapse.stack_entries, pending + 1);
-    for (uint slot = 0; slot < children.count; ++slot) {
-        const uint child = children.nodes[slot];
-        const Bvh2Node &source = collapse.tree.nodes[child];
-        const uint word = collapse.cuts[child].is_leaf ? add_block(collapse, source) : add_node(collapse, child, pending);
-        BvhNode &node = collapse.nodes[place];
-        node.child[slot] = word;
-        for (uint axis = 0; axis < 3; ++axis) {
-            node.low[axis][slot] = source.box.low[axis];
-            node.high[axis][slot] = source.box.high[axis];
+/// Wide nodes below one node of the binary tree, depth first, so that what is near in space is near in memory. Words of children number nodes and
+/// blocks from this piece's first on.
+class Piece {
+public:
+    Piece(const BinaryTree &tree, uint root, uint pending) : tree_(tree), root_(root), pending_(pending) {}
+
+    void build(BuildProgress &progress) {
+        word = tree_.cuts[root_].is_leaf && root_ != 0 ? add_block(root_) : add_node(root_, pending_);
+        std::uint64_t references = 0;
+        for (const auto &of_kind : blocks)
+            for (const PrimitiveBlock &block : of_kind) references += block.count;
+        progress.add(references);
+    }
+
+    uint word;  ///< of its root
+    std::vector<BvhNode> nodes;
+    std::array<std::vector<PrimitiveBlock>, MAX_PRIMITIVE_KINDS> blocks;
+    uint stack_entries = 1;  ///< that a ray needs if it meets all boxes and visits the children in the worst order
+
+private:
+    /// `pending`: entries on the stack of a ray that arrives here.
+    uint add_node(uint index, uint pending) {
+        const Children children = children_of(tree_, index);
+        const uint place = uint(nodes.size());
+        nodes.push_back(empty_node());
+        pending += children.count - 1;
+        stack_entries = std::max(stack_entries, pending + 1);
+        for (uint slot = 0; slot < children.count; ++slot) {
+            const uint child = children.nodes[slot];
+            const uint word = tree_.cuts[child].is_leaf ? add_block(child) : add_node(child, pending);
+            set_child(nodes[place], slot, tree_.nodes.nodes[child].box, word);
+        }
+        return place;
+    }
+    uint add_block(uint index) {
+        const uint kind = tree_.nodes.nodes[index].box.kind();
+        PrimitiveBlock block{.references = {}, .count = 0};
+        add_references(index, block);
+        std::sort(block.references.begin(), block.references.begin() + block.count);
+        blocks[kind].push_back(block);
+        return BVH_LEAF | kind << BVH_KIND_SHIFT | uint(blocks[kind].size() - 1);
+    }
+    void add_references(uint index, PrimitiveBlock &block) const {
+        const Bvh2Node &node = tree_.nodes.nodes[index];
+        if (node.children != 0) {
+            add_references(node.children, block), add_references(node.children + 1, block);
+        } else {
+            for (uint i = 0; i < node.count; ++i) block.references[block.count++] = tree_.nodes.references[node.first + i].index;
         }
     }
-    return place;
+
+    const BinaryTree &tree_;
+    uint root_, pending_;
+};
+
+/// The top of the tree, and pieces of it below, which are built in parallel. Everything gets the number that it would have in one piece.
+class Collapse {
+public:
+    Collapse(const Bvh2 &tree, BuildProgress &progress) : tree_{tree, cut_tree(tree)} {
+        list_pieces(0, 0);
+        tbb::parallel_for(
+            size_t(0), pieces_.size(), [&](size_t i) { pieces_[i].build(progress); }, tbb::simple_partitioner());
+        for (const Piece &piece : pieces_) stack_entries_ = std::max(stack_entries_, piece.stack_entries);
+    }
+
+    uint stack_entries() const { return stack_entries_; }
+
+    BuiltAccelerator join() {
+        add(0);
+        BuiltAccelerator built{.blocks = {}, .nodes = std::vector<std::byte>(node_count_ * sizeof(BvhNode)), .node_count = node_count_};
+        for (uint kind = 0; kind < MAX_PRIMITIVE_KINDS; ++kind) {
+            if (block_counts_[kind] > BVH_BLOCK)  // the word of one more would be BVH_EMPTY in the last kind
+                throw SceneError(fmt::format("wide_bvh: cannot hold more than {} blocks of {} primitives of one kind", BVH_BLOCK, BLOCK_SIZE));
+            built.blocks[kind].resize(block_counts_[kind]);
+        }
+        BvhNode *nodes = reinterpret_cast<BvhNode *>(built.nodes.data());
+        for (const auto &[place, node] : top_) nodes[place] = node;
+        tbb::parallel_for(size_t(0), pieces_.size(), [&](size_t i) { put(pieces_[i], firsts_[i], nodes, built); });
+        return built;
+    }
+
+private:
+    /// Numbers of a piece's first node and blocks.
+    struct Firsts {
+        uint node;
+        std::array<uint, MAX_PRIMITIVE_KINDS> blocks;
+    };
+
+    bool is_piece(uint index) const { return tree_.nodes.nodes[index].count <= piece_size; }
+
+    void list_pieces(uint index, uint pending) {
+        if (is_piece(index)) {
+            pieces_.emplace_back(tree_, index, pending);
+            return;
+        }
+        const Children children = children_of(tree_, index);
+        pending += children.count - 1;
+        stack_entries_ = std::max(stack_entries_, pending + 1);
+        for (uint slot = 0; slot < children.count; ++slot) list_pieces(children.nodes[slot], pending);
+    }
+
+    /// In the same order. Gives the word.
+    uint add(uint index) {
+        if (is_piece(index)) {
+            const Piece &piece = pieces_[firsts_.size()];
+            firsts_.push_back({node_count_, block_counts_});
+            node_count_ += uint(piece.nodes.size());
+            for (uint kind = 0; kind < MAX_PRIMITIVE_KINDS; ++kind) block_counts_[kind] += uint(piece.blocks[kind].size());
+            return moved(piece.word, firsts_.back());
+        }
+        const Children children = children_of(tree_, index);
+        const uint place = node_count_++;
+        BvhNode node = empty_node();
+        for (uint slot = 0; slot < children.count; ++slot)
+            set_child(node, slot, tree_.nodes.nodes[children.nodes[slot]].box, add(children.nodes[slot]));
+        top_.emplace_back(place, node);
+        return place;
+    }
+    static uint moved(uint word, const Firsts &firsts) {
+        if (word == BVH_EMPTY) return word;
+        return word + ((word & BVH_LEAF) != 0 ? firsts.blocks[word >> BVH_KIND_SHIFT & 7u] : firsts.node);
+    }
+    static void put(const Piece &piece, const Firsts &firsts, BvhNode *nodes, BuiltAccelerator &built) {
+        for (size_t i = 0; i < piece.nodes.size(); ++i) {
+            BvhNode &node = nodes[firsts.node + i] = piece.nodes[i];
+            for (uint &word : node.child) word = moved(word, firsts);
+        }
+        for (uint kind = 0; kind < MAX_PRIMITIVE_KINDS; ++kind)
+            std::ranges::copy(piece.blocks[kind], built.blocks[kind].begin() + firsts.blocks[kind]);
+    }
+
+    BinaryTree tree_;
+    std::vector<Piece> pieces_;
+    std::vector<Firsts> firsts_;                 ///< of the pieces
+    std::vector<std::pair<uint, BvhNode>> top_;  ///< nodes above them, by place
+    std::array<uint, MAX_PRIMITIVE_KINDS> block_counts_{};
+    uint node_count_ = 0, stack_entries_ = 1;
+};
+
+BuiltAccelerator build_empty() {
+    const BvhNode root = empty_node();
+    const auto bytes = std::as_bytes(std::span(&root, 1));
+    return {.blocks = {}, .nodes = {bytes.begin(), bytes.end()}, .node_count = 1};
 }
 
-BuiltAccelerator built(Collapse &collapse) {
-    BuiltAccelerator accelerator{.blocks = std::move(collapse.blocks), .nodes = {}, .node_count = uint(collapse.nodes.size())};
-    const auto bytes = std::as_bytes(std::span(collapse.nodes));
-    accelerator.nodes.assign(bytes.begin(), bytes.end());
-    return accelerator;
-}
-
-BuiltAccelerator build_empty(BuildProgress &progress) {
-    const Bvh2 none;
-    Collapse collapse(none, progress);
-    collapse.nodes.push_back(empty_node());
-    return built(collapse);
+Bvh2 build_binary(std::span<const Reference> references, BuildQuality quality, uint slack, BuildProgress &progress) {
+    if (quality == BuildQuality::fast) return build_bvh2(references, {.slack = slack}, progress);
+    Bvh2 tree = build_bvh2(references, {.slack = slack, .smallest_divided = high_smallest_divided}, progress);
+    reinsert(tree, depth_limit(references.size(), slack), progress);
+    return tree;
 }
 
 }  // namespace
 
-BuiltAccelerator build_wide_bvh(std::span<const Reference> references, const Hulls &, BuildProgress &progress) {
-    if (references.empty()) return build_empty(progress);
-    progress.begin(2 * references.size());  // the binary tree, then its collapse
+BuiltAccelerator build_wide_bvh(std::span<const Reference> references, const Hulls &, BuildQuality quality, BuildProgress &progress) {
+    if (references.empty()) return build_empty();
+    // The binary tree, rounds of changes to it, and its collapse.
+    progress.begin((quality == BuildQuality::high ? 2 + reinsertion_rounds : 2) * references.size());
     // Only nests of boxes that grow without end make the first tree too deep.
     for (uint slack = most_slack;; slack /= 2) {
-        const Bvh2 tree = build_bvh2(references, slack, progress);
+        const Bvh2 tree = build_binary(references, quality, slack, progress);
         Collapse collapse(tree, progress);
-        cut_subtree(tree, 0, collapse.cuts.get());
-        add_node(collapse, 0, 0);
-        if (collapse.stack_entries <= BVH_PENDING) return built(collapse);
+        if (collapse.stack_entries() <= BVH_PENDING) return collapse.join();
         if (slack == 0) throw SceneError(fmt::format("wide_bvh: {} primitives need a deeper stack than the traversal has", references.size()));
     }
 }

@@ -8,7 +8,7 @@
 
 namespace brandung {
 
-/// Primitives, their accelerators, and instances. Throws SceneError.
+/// Primitives, their accelerators, and instances. Throws SceneError, before anything is built if they cannot fit.
 void add_primitives(const Scene &scene, const CompileOptions &options, CompiledScene &compiled, Arena &arena);
 /// And textures. Follows add_primitives().
 void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena);

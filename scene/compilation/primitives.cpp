@@ -1,12 +1,14 @@
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <optional>
 
-#include "kernels/core/items.h"
 #include "kernels/primitives/instance.h"
 #include "scene/accelerators/accelerator.h"
 #include "scene/compilation/parts.h"
+#include "scene/compilation/sizes.h"
 #include "scene/compilation/spaces.h"
 #include "scene/error.h"
 #include "scene/places.h"
@@ -22,15 +24,19 @@ uint number_of(const std::vector<const PrimitiveKind *> &kinds, const PrimitiveK
 /// Blocks of one kind; `write_lane` is given the reference of each lane. Lanes without a primitive are all ones: no number, and NaN, which no ray
 /// meets.
 template <class WriteLane>
-std::vector<std::byte> write_blocks(const std::vector<PrimitiveBlock> &blocks, std::size_t block_bytes, const WriteLane &write_lane) {
-    std::vector<std::byte> bytes(blocks.size() * block_bytes, std::byte{0xff});
-    for (std::size_t b = 0; b < blocks.size(); ++b)
-        for (uint lane = 0; lane < blocks[b].count; ++lane) write_lane(blocks[b].references[lane], lane, bytes.data() + b * block_bytes);
-    return bytes;
+Span add_blocks(const std::vector<PrimitiveBlock> &blocks, std::size_t block_bytes, Arena &arena, const WriteLane &write_lane) {
+    const auto [span, bytes] = arena.make(blocks.size() * block_bytes, blocks.size());
+    std::byte *records = bytes.data();
+    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
+        std::byte *record = records + b * block_bytes;
+        std::fill_n(record, block_bytes, std::byte{0xff});
+        for (uint lane = 0; lane < blocks[b].count; ++lane) write_lane(blocks[b].references[lane], lane, record);
+    });
+    return span;
 }
 
-std::vector<std::byte> write_primitives(const PrimitiveKind &kind, const std::vector<PrimitiveBlock> &blocks, const Space &space) {
-    return write_blocks(blocks, kind.block_bytes, [&](uint reference, uint lane, std::byte *block) {
+Span add_blocks_of(const PrimitiveKind &kind, const std::vector<PrimitiveBlock> &blocks, const Space &space, Arena &arena) {
+    return add_blocks(blocks, kind.block_bytes, arena, [&](uint reference, uint lane, std::byte *block) {
         const uint number = space.first + reference;
         std::memcpy(block + lane * sizeof(uint), &number, sizeof number);
         space.primitives[reference].shape->write_lane(space.primitives[reference].i, lane, block);
@@ -38,8 +44,8 @@ std::vector<std::byte> write_primitives(const PrimitiveKind &kind, const std::ve
 }
 
 /// Instances are numbered from 1 on; their references follow those of the world's primitives.
-std::vector<std::byte> write_instances(const std::vector<PrimitiveBlock> &blocks, const Scene &scene, std::size_t first_reference) {
-    return write_blocks(blocks, sizeof(InstanceBlock), [&](uint reference, uint lane, std::byte *bytes) {
+Span add_instance_blocks(const std::vector<PrimitiveBlock> &blocks, const Scene &scene, std::size_t first_reference, Arena &arena) {
+    return add_blocks(blocks, sizeof(InstanceBlock), arena, [&](uint reference, uint lane, std::byte *bytes) {
         InstanceBlock &block = *reinterpret_cast<InstanceBlock *>(bytes);
         const std::size_t i = reference - first_reference;
         block.primitive[lane] = static_cast<uint>(i + 1);
@@ -58,6 +64,8 @@ float extent_of(const std::vector<Reference> &references) {
     return std::max({largest.x, largest.y, largest.z});
 }
 
+template <class Record> std::size_t bytes_of(const std::vector<Record> &records) { return records.size() * sizeof(Record); }
+
 /// `space` is that of the first shape which lacks them.
 void warn_of_lacking_uvs(const Scene &scene, std::size_t space, const Shape &shape, std::size_t triangles, CompiledScene &compiled) {
     compiled.warnings["triangle with a texture, but without texture coordinates: has the colour at (0, 0)"] = static_cast<uint>(triangles);
@@ -66,7 +74,8 @@ void warn_of_lacking_uvs(const Scene &scene, std::size_t space, const Shape &sha
 }
 
 void add_shading(const Scene &scene, const std::vector<Space> &spaces, CompiledScene &compiled, Arena &arena) {
-    std::vector<ShadingRecord> shading;
+    const auto [span, room] = arena.make(compiled.primitive_count * sizeof(ShadingRecord), compiled.primitive_count);
+    ShadingRecord *record = reinterpret_cast<ShadingRecord *>(room.data());
     SharedTables tables;
     compiled.counts.resize(compiled.primitives.size());
     std::optional<std::pair<std::size_t, const Shape *>> lacks_uvs;  // the first one's space, and itself
@@ -75,48 +84,57 @@ void add_shading(const Scene &scene, const std::vector<Space> &spaces, CompiledS
             const uint kind = number_of(compiled.primitives, primitive.shape->kind());
             ++compiled.counts[kind];
             tables.wants_uvs = spaces[s].is_textured || is_textured(scene.materials.at(primitive.shape->material).record);
-            ShadingRecord &record = shading.emplace_back(ShadingRecord{kind, primitive.shape->material, {}});
-            primitive.shape->write_shading(primitive.i, record.words, tables);
+            record->kind = kind, record->material = primitive.shape->material;
+            primitive.shape->write_shading(primitive.i, record->words, tables);
+            ++record;
             if (tables.lack_uvs > 0 && !lacks_uvs) lacks_uvs.emplace(s, primitive.shape);
         }
     }
-    compiled.primitive_count = shading.size();
-    compiled.header.shading = arena.add(shading);
+    compiled.header.shading = span;
     compiled.header.vertex_normals = arena.add(tables.vertex_normals);
     compiled.header.vertex_uvs = arena.add(tables.vertex_uvs);
     compiled.header.vertex_colors = arena.add(tables.vertex_colors);
+    compiled.shading_bytes = room.size() + bytes_of(tables.vertex_normals) + bytes_of(tables.vertex_uvs) + bytes_of(tables.vertex_colors);
     compiled.tints |= !tables.vertex_colors.empty();
     if (lacks_uvs) warn_of_lacking_uvs(scene, lacks_uvs->first, *lacks_uvs->second, tables.lack_uvs, compiled);
     compiled.shading_normals = !tables.vertex_normals.empty();
 }
 
-/// The accelerator of a space, over its primitives and, in the world, the instances.
+/// What a builder is given of a space: its primitives and, in the world, the instances.
+std::vector<Reference> references_of(const Scene &scene, const Space &space, bool is_world, const std::vector<const PrimitiveKind *> &kinds) {
+    std::vector<Reference> references(space.primitives.size());
+    tbb::parallel_for(std::size_t{0}, references.size(), [&](std::size_t i) {
+        const auto [shape, place] = space.primitives[i];
+        references[i] = {shape->bounds(place), number_of(kinds, shape->kind())};
+    });
+    if (is_world)
+        for (const PlacedGroup &instance : scene.instances) references.push_back({instance.bounds, static_cast<uint>(kinds.size())});
+    return references;
+}
+
+/// The accelerator of a space.
 Group add_space(const Scene &scene, const Space &space, bool is_world, const WatchAccelerator &watch, CompiledScene &compiled, Arena &arena) {
     const uint kinds = static_cast<uint>(compiled.primitives.size());
-    std::vector<Reference> references;
-    references.reserve(space.primitives.size());
-    for (const PrimitiveOf &primitive : space.primitives)
-        references.push_back({primitive.shape->bounds(primitive.i), number_of(compiled.primitives, primitive.shape->kind())});
-    if (is_world)
-        for (const PlacedGroup &instance : scene.instances) references.push_back({instance.bounds, kinds});
-
+    const std::vector<Reference> references = references_of(scene, space, is_world, compiled.primitives);
     const auto start = std::chrono::steady_clock::now();
     const AcceleratorKind &kind = *compiled.accelerator;
     BuildProgress progress = watch ? BuildProgress([&](double part) { watch(kind, part); }) : BuildProgress();
     const Hulls hulls = [&](uint i) {
         return i < space.primitives.size() ? space.primitives[i].shape->hull(space.primitives[i].i) : hull_of_box(references[i].bounds);
     };
-    const BuiltAccelerator built = kind.build(references, hulls, progress);
+    const BuiltAccelerator built = kind.build(references, hulls, scene.accelerator_quality, progress);
     compiled.accelerator_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     Group group{};
     group.extent = extent_of(references);
-    const auto add_blocks = [&](uint k, const std::vector<std::byte> &records) {
-        group.blocks[k] = arena.add(records, built.blocks[k].size());
-        compiled.block_bytes += records.size();
-    };
-    for (uint k = 0; k < kinds; ++k) add_blocks(k, write_primitives(*compiled.primitives[k], built.blocks[k], space));
-    if (is_world && !scene.instances.empty()) add_blocks(kinds, write_instances(built.blocks[kinds], scene, space.primitives.size()));
+    for (uint k = 0; k < kinds; ++k) {
+        group.blocks[k] = add_blocks_of(*compiled.primitives[k], built.blocks[k], space, arena);
+        compiled.block_bytes += built.blocks[k].size() * compiled.primitives[k]->block_bytes;
+    }
+    if (is_world && !scene.instances.empty()) {
+        group.blocks[kinds] = add_instance_blocks(built.blocks[kinds], scene, space.primitives.size(), arena);
+        compiled.block_bytes += built.blocks[kinds].size() * sizeof(InstanceBlock);
+    }
     group.nodes = arena.add(built.nodes, built.node_count);
     compiled.node_bytes += built.nodes.size();
     return group;
@@ -140,6 +158,10 @@ void add_instances(const Scene &scene, const std::vector<Group> &groups, Compile
 }  // namespace
 
 void add_primitives(const Scene &scene, const CompileOptions &options, CompiledScene &compiled, Arena &arena) {
+    const LeastSizes sizes = least_sizes(scene);
+    expect_to_fit(scene, sizes, options.limit);
+    compiled.primitive_count = sizes.primitives;
+    arena.reserve(sizes.all() + sizes.all() / 2);  // what isn't used takes no memory
     const std::vector<Space> spaces = spaces_in_use(scene);
     compiled.accelerator = options.accelerator ? options.accelerator : &find_accelerator(scene.accelerator);
     compiled.primitives = options.kinds == Kinds::all ? primitive_kinds() : primitive_kinds_in_use(scene);

@@ -1,28 +1,19 @@
 #include "scene/compilation/spaces.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <set>
-
-#include "kernels/core/items.h"
-#include "scene/error.h"
 
 namespace brandung {
 namespace {
 
 Space space_of(const Shapes &shapes, std::size_t first) {
     Space space{{}, static_cast<uint>(first)};
+    std::size_t count = 0;
+    for (const auto &shape : shapes) count += shape->count();
+    space.primitives.reserve(count);
     for (const auto &shape : shapes)
         for (std::size_t i = 0; i < shape->count(); ++i) space.primitives.push_back({shape.get(), i});
     return space;
-}
-
-/// The world, then the groups in use.
-std::vector<const Shapes *> shapes_in_use(const Scene &scene) {
-    std::vector<const Shapes *> result = {&scene.shapes};
-    for (const std::size_t group : groups_in_use(scene)) result.push_back(&scene.groups[group].shapes);
-    return result;
 }
 
 }  // namespace
@@ -31,6 +22,12 @@ std::vector<std::size_t> groups_in_use(const Scene &scene) {
     std::set<std::size_t> used;
     for (const PlacedGroup &instance : scene.instances) used.insert(instance.group);
     return {used.begin(), used.end()};
+}
+
+std::vector<const Shapes *> shapes_in_use(const Scene &scene) {
+    std::vector<const Shapes *> result = {&scene.shapes};
+    for (const std::size_t group : groups_in_use(scene)) result.push_back(&scene.groups[group].shapes);
+    return result;
 }
 
 std::size_t place_in(const std::vector<std::size_t> &used, std::size_t group) {
@@ -45,7 +42,6 @@ std::vector<Space> spaces_in_use(const Scene &scene) {
     for (const Shapes *shapes : shapes_in_use(scene)) {
         spaces.push_back(space_of(*shapes, count));
         count += spaces.back().primitives.size();
-        if (count > MAX_PRIMITIVES) throw SceneError(fmt::format("{}: {} primitives are too many", scene.file, count));
     }
     const std::vector<std::size_t> used = groups_in_use(scene);
     for (const PlacedGroup &instance : scene.instances) {

@@ -27,7 +27,9 @@ std::vector<std::size_t> groups_in_use(const Scene &scene);
 /// Of one of them.
 std::size_t place_in(const std::vector<std::size_t> &used, std::size_t group);
 
-/// The world, then the groups in use. Throws SceneError if there are too many primitives.
+/// The world's, then those of the groups in use.
+std::vector<const Shapes *> shapes_in_use(const Scene &scene);
+/// The world, then the groups in use, whose primitives least_sizes() has counted.
 std::vector<Space> spaces_in_use(const Scene &scene);
 /// Of the primitives in them, in the order of primitive_kinds().
 std::vector<const PrimitiveKind *> primitive_kinds_in_use(const Scene &scene);

@@ -26,7 +26,7 @@ const std::vector<SceneFormat> &scene_formats();
 Scene read_scene(const std::string &file, const ReadOptions &options = {});
 
 class Parameters;
-/// The sections "film" and "integrator" and the values "accelerator" and "background" of a document, over what `scene` has.
+/// The sections "film" and "integrator" and the values "accelerator", "accelerator_quality" and "background" of a document, over what `scene` has.
 void read_settings(const Parameters &root, Scene &scene);
 /// The same of assignments alone, for formats whose files have no settings. Refuses others.
 void assign_settings(const std::vector<std::string> &assignments, Scene &scene);

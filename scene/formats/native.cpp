@@ -147,8 +147,8 @@ void read_cameras(const Parameters &root, Scene &scene) {
 /// Refuses unknown keys before a missing one is noticed, which is often the same one misspelt.
 void check_keys(const Parameters &root) {
     for (const char *key : {"$schema", "description"}) root.text(key, "");
-    for (const char *key :
-         {"film", "integrator", "accelerator", "background", "ambient", "camera", "cameras", "materials", "lights", "groups", "objects"})
+    for (const char *key : {"film", "integrator", "accelerator", "accelerator_quality", "background", "ambient", "camera", "cameras", "materials",
+                            "lights", "groups", "objects"})
         root.has(key);
     root.expect_all_known();
 }

@@ -113,6 +113,8 @@ void read_settings(const Parameters &root, Scene &scene) {
     read_background(root, scene);
     place_warnings(scene, [&] { return root.place("background"); });
     if (root.has("accelerator")) scene.accelerator = accelerators[root.choice("accelerator", accelerators)];
+    const std::vector<std::string> qualities(build_quality_names.begin(), build_quality_names.end());
+    scene.accelerator_quality = BuildQuality(root.choice("accelerator_quality", qualities, uint(scene.accelerator_quality)));
 }
 
 void assign_settings(const std::vector<std::string> &assignments, Scene &scene) {

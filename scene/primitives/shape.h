@@ -23,6 +23,7 @@ struct PrimitiveKind {
     const char *record;       ///< "SmoothTriangle": prefix of its records
     std::size_t block_bytes;  ///< of one block of BLOCK_SIZE primitives
     bool is_flat;             ///< rays cross it once at most, and not again after leaving it
+    std::size_t table_bytes;  ///< that each has at least in SharedTables
 };
 
 /// Tables of the arena that shapes append to while the scene is laid out.

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <span>
 #include <utility>
 
+#include "kernels/accelerators/wide_bvh.h"
 #include "scene/bsdfs/bsdf.h"
 #include "scene/lights/light.h"
 #include "tests/support/scenes.h"
@@ -78,6 +81,33 @@ TEST(Compile, EmissiveShapesOfInstancesAreLights) {
     EXPECT_EQ(compiled.header.lights.count, 3u);
     EXPECT_EQ(compiled.light_counts.at("emissive_sphere"), 3u);
     EXPECT_TRUE(compiled.emissive_instances);
+}
+
+/// Bytes of a span of records in the arena.
+template <class Record> std::span<const std::byte> records_of(const CompiledScene &compiled, Span span) {
+    return std::span(compiled.arena).subspan(std::size_t{64} * span.offset, span.count * sizeof(Record));
+}
+
+TEST(Compile, GroupsAndTheWorldAreBuiltInTheScenesQuality) {
+    Scene scene = empty_scene();
+    add_soup(scene, 0, {.of_each = 500, .size = 1});
+    add_group(scene, "soup", std::exchange(scene.shapes, {}));
+    ASSERT_FALSE(add_instance(scene, 0, AffineMap()));
+    add_soup(scene, 0, {.of_each = 500, .size = 1, .seed = 2});
+    const auto nodes_of = [](const CompiledScene &compiled, const Group &group) {
+        const auto bytes = records_of<BvhNode>(compiled, group.nodes);
+        return std::vector(bytes.begin(), bytes.end());
+    };
+    const auto group_of = [](const CompiledScene &compiled) {
+        Group group;
+        std::memcpy(&group, records_of<Group>(compiled, compiled.header.groups).data(), sizeof group);
+        return group;
+    };
+    const CompiledScene fast = compile(scene);
+    scene.accelerator_quality = BuildQuality::high;
+    const CompiledScene high = compile(scene);
+    EXPECT_NE(nodes_of(fast, fast.header.world), nodes_of(high, high.header.world));
+    EXPECT_NE(nodes_of(fast, group_of(fast)), nodes_of(high, group_of(high)));
 }
 
 }  // namespace

@@ -8,9 +8,9 @@ namespace brandung {
 
 inline BuildProgress unwatched;
 
-inline BuiltAccelerator build_accelerator(const std::string &name, std::span<const Reference> references) {
+inline BuiltAccelerator build_accelerator(const std::string &name, std::span<const Reference> references, BuildQuality quality = BuildQuality::fast) {
     return find_accelerator(name).build(
-        references, [&](uint i) { return hull_of_box(references[i].bounds); }, unwatched);
+        references, [&](uint i) { return hull_of_box(references[i].bounds); }, quality, unwatched);
 }
 
 }  // namespace brandung

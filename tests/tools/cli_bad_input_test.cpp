@@ -108,6 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
             "UnknownIntegrator", {"--integrator", "magic"}, {": /integrator/type (set on the command line): there is no \"magic\", only whitted"}},
         Setting{"IntegratorOfTwoLines", {"--integrator", "a\nb"}, {"there is no \"a?b\""}},
         Setting{"UnknownAccelerator", {"--accelerator", "magic"}, {"magic", "wide_bvh"}},
+        Setting{"UnknownAcceleratorQuality", {"--accelerator-quality", "medium"}, {": /accelerator_quality", "fast, high", "medium"}},
         Setting{"UnknownPixel", {"--pixel", "edge"}, {"edge", "corner"}}, Setting{"UnknownCamera", {"--camera", "drone"}, {"drone"}},
         Setting{"UnknownDevice", {"--device", "abacus"}, {"abacus"}},
         Setting{"CornerWithManySamples",

@@ -24,11 +24,15 @@ TEST(CliInfo, HelpNamesEverySubcommandOnStandardOutput) {
 TEST(CliInfo, HelpOfRenderNamesEveryOption) {
     const Finished run = run_program({"render", "--help"});
     expect_success(run);
-    for (const char *option :
-         {"--output",  "--integrator", "--accelerator", "--spp",   "--size",      "--seed",          "--pixel",      "--camera", "--background",
-          "--from",    "--at",         "--up",          "--fov",   "--max-depth", "--light-samples", "--shadows",    "--set",    "--crop",
-          "--aov",     "--filter",     "--exposure",    "--tone",  "--bits",      "--quality",       "--save-every", "--device", "--batch",
-          "--threads", "--stats",      "--explain",     "--quiet", "--preview",   "--preview-hold"})
+    for (const char *option : {"--output",  "--integrator",  "--accelerator", "--accelerator-quality",
+                               "--spp",     "--size",        "--seed",        "--pixel",
+                               "--camera",  "--background",  "--from",        "--at",
+                               "--up",      "--fov",         "--max-depth",   "--light-samples",
+                               "--shadows", "--set",         "--crop",        "--aov",
+                               "--filter",  "--exposure",    "--tone",        "--bits",
+                               "--quality", "--save-every",  "--device",      "--batch",
+                               "--threads", "--stats",       "--explain",     "--quiet",
+                               "--preview", "--preview-hold"})
         EXPECT_NE(run.out.find(option), std::string::npos) << option;
 }
 
@@ -75,12 +79,13 @@ TEST(CliInfo, InfoCountsWhatTheSceneContains) {
     EXPECT_EQ(counts.at("materials"), 2);
     EXPECT_EQ(info.at("film").at("width"), 32);
     EXPECT_EQ(info.at("film").at("height"), 24);
-    for (const char *part : {"scene_bytes", "wave_bytes", "film_bytes"}) EXPECT_GT(info.at("memory").at(part).get<std::uint64_t>(), 0u) << part;
+    for (const char *part : {"scene_bytes", "node_bytes", "block_bytes", "shading_bytes", "wave_bytes", "film_bytes"})
+        EXPECT_GT(info.at("memory").at(part).get<std::uint64_t>(), 0u) << part;
 
     const Finished text = run_program({"info", scene});
     expect_success(text);
     for (const char *line : {"\n  has     4 primitives (1 frustum, 1 sphere, 2 triangles)", ", 1 light (1 point), 2 materials, 1 camera\n", " MiB (",
-                             "uses    primitive sphere", "skips   light directional"})
+                             "\n          bytes per primitive: ", "uses    primitive sphere", "skips   light directional"})
         EXPECT_NE(text.out.find(line), std::string::npos) << line << " in\n" << text.out;
 }
 

@@ -75,20 +75,22 @@ TEST(Cli, NegativeRadiusInNffShowsTheInsideOnly) {
 TEST(Cli, OptionsAreSettingsOfTheScene) {
     const TemporaryFolder folder;
     const std::string stats = folder.path("stats.json");
-    expect_success(render_native(folder, {"-o", folder.path("a.exr"), "--quiet", "--size", "20x10", "--spp", "4", "--seed", "7", "--max-depth", "3",
-                                          "--accelerator", "none", "--integrator", "whitted", "--stats", stats}));
-    const json by_option = json::parse(read_file(stats));
     expect_success(
-        render_native(folder, {"-o", folder.path("b.exr"), "--quiet", "--set", "film.width=20", "--set", "film.height=10", "--set", "film.spp=4",
-                               "--set", "film.seed=7", "--set", "integrator.max_depth=3", "--set", "accelerator=none", "--stats", stats}));
+        render_native(folder, {"-o", folder.path("a.exr"), "--quiet", "--size", "20x10", "--spp", "4", "--seed", "7", "--max-depth", "3",
+                               "--accelerator", "wide_bvh", "--accelerator-quality", "high", "--integrator", "whitted", "--stats", stats}));
+    const json by_option = json::parse(read_file(stats));
+    expect_success(render_native(folder, {"-o", folder.path("b.exr"), "--quiet", "--set", "film.width=20", "--set", "film.height=10", "--set",
+                                          "film.spp=4", "--set", "film.seed=7", "--set", "integrator.max_depth=3", "--set", "accelerator=wide_bvh",
+                                          "--set", "accelerator_quality=high", "--stats", stats}));
     const json by_setting = json::parse(read_file(stats));
-    for (const char *name : {"width", "height", "spp", "seed", "accelerator", "integrator", "rays"})
+    for (const char *name : {"width", "height", "spp", "seed", "accelerator", "accelerator_quality", "integrator", "rays"})
         EXPECT_EQ(by_option.at(name), by_setting.at(name));
     EXPECT_EQ(by_option.at("width"), 20);
     EXPECT_EQ(by_option.at("height"), 10);
     EXPECT_EQ(by_option.at("spp"), 4);
     EXPECT_EQ(by_option.at("seed"), 7);
-    EXPECT_EQ(by_option.at("accelerator"), "none");
+    EXPECT_EQ(by_option.at("accelerator"), "wide_bvh");
+    EXPECT_EQ(by_option.at("accelerator_quality"), "high");
     EXPECT_EQ(by_option.at("rays").at("camera"), 20 * 10 * 4);
 }
 

@@ -10,7 +10,7 @@ namespace brandung {
 /// A scene with one accelerator on the device.
 struct Candidate {
     Candidate(Device &device, const Scene &scene, const std::string &accelerator, uint batch)
-        : compiled(compile(scene, {.accelerator = &find_accelerator(accelerator)})),
+        : compiled(compile(scene, {.accelerator = &find_accelerator(accelerator), .limit = limit_of(device)})),
           on_device(device, compiled),
           tracing(device, compiled, on_device, batch) {
         compiled.arena = {};  // the device has it

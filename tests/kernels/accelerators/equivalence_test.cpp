@@ -152,6 +152,19 @@ TEST_P(Equivalence, FindsWhatNoneFinds) {
 INSTANTIATE_TEST_SUITE_P(Accelerators, Equivalence, testing::Combine(testing::ValuesIn(accelerator_names()), testing::ValuesIn(scene_kinds())),
                          name_of);
 
+class EquivalenceOfHighQuality : public testing::TestWithParam<SceneKind> {};
+
+TEST_P(EquivalenceOfHighQuality, FindsWhatNoneFinds) {
+    const SceneKind &kind = GetParam();
+    Scene scene = kind.make();
+    scene.accelerator_quality = BuildQuality::high;
+    const Query query{make_rays(scene, kind.centre)};
+    TracedScene none(scene, "none");
+    expect_equivalent(scene, "wide_bvh", query, find(none, query), "rays");
+}
+
+INSTANTIATE_TEST_SUITE_P(Accelerators, EquivalenceOfHighQuality, testing::ValuesIn(scene_kinds()), [](const auto &info) { return info.param.name; });
+
 TEST(EquivalenceOfNone, TiesGoToTheLowerNumberAcrossKinds) {
     Scene scene = duplicates();
     TracedScene none(scene, "none");

@@ -56,27 +56,27 @@ double median_cost_of(std::span<Reference> references) {
 
 TEST(Bvh2, CostsLessThanHalvesAtTheMedian) {
     References references = crowded_boxes(16'384);  // a power of two, with which halves have full blocks
-    const double cost = cost_of(build_bvh2(references, 16, unwatched), 0);
+    const double cost = cost_of(build_bvh2(references, {.slack = 16}, unwatched), 0);
     EXPECT_LT(cost, 0.93 * median_cost_of(references));  // measured: 0.88
 }
 
 TEST(Bvh2, SplitsWhereThereIsNothing) {
     References references = crowded_boxes(16'384);
     for (uint i = 0; i < 1'000; ++i) references[i].bounds = {references[i].bounds.low + vec3(5), references[i].bounds.high + vec3(5)};
-    const Bvh2 tree = build_bvh2(references, 16, unwatched);
+    const Bvh2 tree = build_bvh2(references, {.slack = 16}, unwatched);
     EXPECT_EQ(tree.nodes[tree.nodes[0].children].count, 15'384u);
     EXPECT_EQ(tree.nodes[tree.nodes[0].children + 1].count, 1'000u);
 }
 
 TEST(Bvh2, IsNoDeeperThanAllowed) {
     const References references = nest(2'000);  // 11 levels if balanced
-    EXPECT_GT(depth_below(build_bvh2(references, 1'000, unwatched), 0), 30u);
-    EXPECT_LE(depth_below(build_bvh2(references, 16, unwatched), 0), 27u);
-    EXPECT_LE(depth_below(build_bvh2(references, 0, unwatched), 0), 11u);
+    EXPECT_GT(depth_below(build_bvh2(references, {.slack = 1'000}, unwatched), 0), 30u);
+    EXPECT_LE(depth_below(build_bvh2(references, {.slack = 16}, unwatched), 0), 27u);
+    EXPECT_LE(depth_below(build_bvh2(references, {.slack = 0}, unwatched), 0), 11u);
 }
 
 TEST(Bvh2, HasParentsBeforeTheirChildrenAndRangesThatAddUp) {
-    const Bvh2 tree = build_bvh2(crowded_boxes(20'000), 16, unwatched);
+    const Bvh2 tree = build_bvh2(crowded_boxes(20'000), {.slack = 16}, unwatched);
     for (uint i = 0; i < tree.node_count; ++i) {
         const Bvh2Node &node = tree.nodes[i];
         if (node.children == 0) {

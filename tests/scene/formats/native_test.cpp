@@ -74,6 +74,7 @@ TEST(Native, ReadsEverySection) {
     EXPECT_EQ(scene.integrator.max_depth, 9u);
     EXPECT_EQ(scene.integrator.threshold, 0.01f);
     EXPECT_EQ(scene.accelerator, "none");
+    EXPECT_EQ(scene.accelerator_quality, BuildQuality::fast) << "the default";
     EXPECT_EQ(scene.background, Spectrum(0.1f, 0.2f, 0.3f));
     EXPECT_EQ(scene.ambient, Spectrum(0.25f));
     ASSERT_EQ(scene.shapes.size(), 2u);
@@ -284,7 +285,8 @@ TEST(Native, RefusesWhatIsNoScene) {
     EXPECT_EQ(error_of(""), ": is empty");
     EXPECT_EQ(error_of("[1, 2]", {"film.width=32"}), ":1: must be an object, got an array of 2");
     for (const char *text : {"null", "3", "\"scene\"", "[]", " ", "{", "}", "\xff\xfe", "\xef\xbb\xbf"}) EXPECT_NE(error_of(text), "") << text;
-    for (const char *key : {"film", "integrator", "accelerator", "background", "ambient", "camera", "cameras", "materials", "lights", "objects"}) {
+    for (const char *key : {"film", "integrator", "accelerator", "accelerator_quality", "background", "ambient", "camera", "cameras", "materials",
+                            "lights", "objects"}) {
         const std::string error = error_of(std::string("{\n\"") + key + "\": false}");
         EXPECT_EQ(error.substr(0, 5 + std::strlen(key)), std::string(":2: /") + key) << error;
     }

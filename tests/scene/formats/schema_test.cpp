@@ -53,6 +53,8 @@ TEST_F(Schema, NamesTheKindsThatTheReaderKnows) {
     std::vector<std::string> accelerators = names_of(accelerator_kinds());
     accelerators.insert(accelerators.begin(), "auto");
     EXPECT_EQ(schema.at("properties").at("accelerator").at("enum").get<std::vector<std::string>>(), accelerators);
+    EXPECT_EQ(schema.at("properties").at("accelerator_quality").at("enum").get<std::vector<std::string>>(),
+              std::vector<std::string>(build_quality_names.begin(), build_quality_names.end()));
 }
 
 TEST_F(Schema, ItsDefaultsAreTheReaders) {

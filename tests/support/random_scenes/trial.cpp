@@ -64,6 +64,8 @@ std::vector<std::string> faults_of(Scene &scene, bool specialised, Scene *scaled
         expect_the_same(fmt::format("{}, batch {}", accelerator.name, batch), scene, {.batch = batch}, Kinds::all);
         batch = 97;
     }
+    scene.accelerator = accelerator_kinds().front().name, scene.accelerator_quality = BuildQuality::high;
+    expect_the_same("quality high", scene, {.batch = 1000}, Kinds::all);
     if (scaled) expect_the_same("scaled", *scaled, {.batch = 1000}, Kinds::all);
     if (specialised) expect_the_same(fmt::format("{}, kernels of the scene", scene.accelerator), scene, {.batch = 1000}, Kinds::in_use);
     return faults;
