@@ -66,7 +66,8 @@ std::map<std::string, std::string> expanded(const Scene &scene) {
     const auto renders = [&](const EmbeddedFile &file) {
         return file.text.find("\nkernel void ") != std::string_view::npos && !file.path.starts_with("kernels/selftest/") &&
                !file.path.starts_with("kernels/bench/") &&
-               (compiled.accelerator->packets || file.text.find("packet_levels.cl") == std::string_view::npos);
+               (compiled.accelerator->packets || file.text.find("packet_levels.cl") == std::string_view::npos) &&
+               (compiled.accelerator->interleaved || file.text.find("accelerators/interleaved.cl") == std::string_view::npos);
     };
     for (const EmbeddedFile &file : embedded_kernels())
         if (renders(file))
@@ -144,7 +145,8 @@ TEST(Absence, OtherAcceleratorsAreNotThere) {
         scene.accelerator = chosen.name;
         for (const AcceleratorKind &other : accelerator_kinds()) {
             if (std::string(other.file) == chosen.file) continue;
-            expect_absent(scene, {std::string("accelerators/") + other.file + ".cl", std::string("accelerators/") + other.file + "_packets.cl"});
+            const std::string file = std::string("accelerators/") + other.file;
+            expect_absent(scene, {file + ".cl", file + "_packets.cl", file + "_interleaved.cl"});
         }
         expect_present(scene, "kernels/stages/intersect.cl", std::string("accelerators/") + chosen.file + ".cl");
     }
