@@ -5,7 +5,6 @@
 #include <fstream>
 #include <set>
 #include <sstream>
-#include <string_view>
 
 #include "runtime/opencl/embedded_kernels.h"
 #include "runtime/opencl/error.h"
@@ -60,19 +59,24 @@ std::string expand_source(const std::string &path, const Sources &generated) {
     return out;
 }
 
-std::uint64_t hash_of_kernels() {
+std::uint64_t hash_of_text(std::string_view text) {
     std::uint64_t hash = 0xcbf29ce484222325u;
-    const auto add = [&](char c) { hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u; };
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    return hash;
+}
+
+std::uint64_t hash_of_kernels() {
+    std::string all;
     for (const EmbeddedFile &file : embedded_kernels()) {
-        std::string text(file.text);
         if (const char *directory = std::getenv("KERNEL_DIR")) {
             std::ifstream in = open_in(directory, std::string(file.path));
-            text.assign(std::istreambuf_iterator<char>(in), {});
+            all.append(std::istreambuf_iterator<char>(in), {});
+        } else {
+            all += file.text;
         }
-        for (const char c : text) add(c);
-        add('\0');
+        all += '\0';
     }
-    return hash;
+    return hash_of_text(all);
 }
 
 }  // namespace brandung

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 
 namespace brandung {
 
@@ -14,7 +15,9 @@ using Sources = std::map<std::string, std::string>;
 /// Throws Error for a file that does not exist.
 std::string expand_source(const std::string &path, const Sources &generated);
 
-/// Of the texts of all kernel files there, where KERNEL_DIR says (FNV-1a, 64 bits). A file that is missing there counts as empty.
+/// FNV-1a, 64 bits.
+std::uint64_t hash_of_text(std::string_view text);
+/// Of the texts of all kernel files there, where KERNEL_DIR says. A file that is missing there counts as empty.
 std::uint64_t hash_of_kernels();
 
 }  // namespace brandung

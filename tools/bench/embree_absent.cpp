@@ -6,10 +6,9 @@ namespace brandung {
 
 struct EmbreePeer::Implementation {};
 
-bool EmbreePeer::is_built_in() { return false; }
-EmbreePeer::EmbreePeer(const SceneGeometry &, uint) {
-    throw Error("this program was built without Embree: install libembree-dev and build it again");
-}
+void EmbreePeer::check_built_in() { throw Error("this program was built without Embree: install libembree-dev and build it again"); }
+std::string EmbreePeer::refusal(const SceneGeometry &) { return ""; }
+EmbreePeer::EmbreePeer(const SceneGeometry &, uint) { check_built_in(); }
 EmbreePeer::~EmbreePeer() = default;
 std::string EmbreePeer::version() const { return ""; }
 uint EmbreePeer::native_width() const { return 0; }

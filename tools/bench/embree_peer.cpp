@@ -118,21 +118,12 @@ SharedBuffers buffers_of(const SceneGeometry &geometry, const GeometrySpace &spa
     return buffers;
 }
 
-void check_kinds(const SceneGeometry &geometry) {
-    for (const GeometryPrimitive &primitive : geometry.primitives) {
-        if (primitive.kind == GeometryPrimitive::Kind::other) throw Error("Embree: the scene has primitives that are neither triangles nor spheres");
-        if (primitive.kind == GeometryPrimitive::Kind::sphere && primitive.b.x < 0)
-            throw Error("Embree: the scene has spheres of which only the inside is visible");
-    }
-}
-
 }  // namespace
 
 struct EmbreePeer::Implementation {
     Implementation(const SceneGeometry &geometry, uint threads)
         : geometry(geometry), arena(static_cast<int>(threads)), device(rtcNewDevice(fmt::format("threads={}", threads).c_str())) {
         if (!device) fail(nullptr, "rtcNewDevice");
-        check_kinds(geometry);
         rtcSetDeviceMemoryMonitorFunction(
             device, [](void *sum, ssize_t bytes, bool) { return *static_cast<std::atomic<std::int64_t> *>(sum) += bytes, true; }, &allocated);
         for (const GeometrySpace &space : geometry.spaces) buffers.push_back(buffers_of(geometry, space));
@@ -303,7 +294,16 @@ struct EmbreePeer::Implementation {
     std::vector<std::uint8_t> found_any;
 };
 
-bool EmbreePeer::is_built_in() { return true; }
+void EmbreePeer::check_built_in() {}
+
+std::string EmbreePeer::refusal(const SceneGeometry &geometry) {
+    for (const GeometryPrimitive &primitive : geometry.primitives) {
+        if (primitive.kind == GeometryPrimitive::Kind::other) return "it has only triangles and spheres";
+        if (primitive.kind == GeometryPrimitive::Kind::sphere && primitive.b.x < 0) return "it has no spheres of which only the inside is visible";
+    }
+    return "";
+}
+
 EmbreePeer::EmbreePeer(const SceneGeometry &geometry, uint threads) : implementation_(std::make_unique<Implementation>(geometry, threads)) {}
 EmbreePeer::~EmbreePeer() = default;
 

@@ -28,8 +28,11 @@ inline constexpr std::array<PeerApi, 6> peer_apis = {{{1, false}, {1, true}, {8,
 
 class EmbreePeer {
 public:
-    static bool is_built_in();
-    /// Throws Error where it is not built in, or Embree has not all kinds of the scene's primitives. Builds all scenes.
+    /// Throws Error where it is not built in.
+    static void check_built_in();
+    /// Which primitives of the scene Embree has not; empty if it has all.
+    static std::string refusal(const SceneGeometry &geometry);
+    /// Builds all scenes, of such a geometry, which must live as long. Throws Error if it fails, as where it is not built in.
     EmbreePeer(const SceneGeometry &geometry, uint threads);
     ~EmbreePeer();
 

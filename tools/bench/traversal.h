@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/bench/disagreement.h"
 #include "tools/bench/embree_peer.h"
 #include "tools/bench/traversal_rays.h"
 
@@ -12,29 +13,34 @@ namespace brandung {
 
 /// What one traversal of ours does for a set of rays.
 struct TraversalRow {
-    std::string rays, variant, kernel;
-    std::uint64_t kernel_hash = 0;  ///< of its text, for this scene
-    std::size_t count = 0;          ///< rays
-    bool of_render = false;         ///< a render takes this one for such rays
-    std::vector<double> seconds, device_seconds;
-    std::uint64_t different = 0;   ///< answers that are not those of the first traversal
-    std::uint64_t mismatches = 0;  ///< with Embree's robust scene
+    std::string rays;  ///< name of the set
+    const Traversal *traversal;
+    bool of_render;                                    ///< a render takes this one for such rays
+    std::size_t count;                                 ///< rays
+    std::string kernel;                                ///< that traces them
+    std::uint64_t hash;                                ///< of its text for this scene, with all that it includes
+    std::uint64_t different = 0;                       ///< answers that are not, to the bit, those of the first traversal
+    std::optional<Disagreement> disagreement;          ///< with Embree's robust scene
+    std::vector<double> wall_seconds, device_seconds;  ///< by round
 };
 
-/// And of Embree.
+/// And one function of Embree.
 struct PeerRow {
-    std::string rays, scene, api;
-    bool robust;
-    std::size_t count = 0;
-    std::vector<double> seconds;
+    std::string rays;
+    std::size_t scene;  ///< of EmbreePeer::scenes()
+    PeerApi api;
+    std::size_t count;
+    double first_seconds = 0;     ///< of the round that warms up
+    std::vector<double> seconds;  ///< by round; none where the first one took more than twice the time of the scene's fastest
 };
 
 struct TraversalResult {
     std::string scene, accelerator;
     std::size_t primitives = 0, instances = 0, node_bytes = 0, block_bytes = 0;
     double build_seconds = 0;
-    std::string peer_version;
-    uint peer_width = 0;
+    std::string peer_refusal;  ///< why Embree was left out, if it was
+    std::string peer_version;  ///< empty without Embree
+    uint peer_width = 0;       ///< EmbreePeer::native_width()
     std::vector<PeerScene> peer_scenes;
     std::vector<TraversalRow> rows;
     std::vector<PeerRow> peers;
@@ -47,7 +53,7 @@ struct TraversalTrial {
     bool embree = false;
     uint runs = 5, batch = 262144;
     std::function<void(const std::string &what)> tell;
-    std::function<bool()> goes_on;
+    std::function<bool()> goes_on;  ///< false ends it: rows have what was measured until then
 };
 
 TraversalResult try_traversals(Device &device, const Scene &scene, const TraversalTrial &trial);

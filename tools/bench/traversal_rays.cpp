@@ -4,49 +4,71 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numbers>
 #include <optional>
 
 #include "runtime/accelerators/traversals.h"
 #include "runtime/wavefront/work.h"
+#include "scene/lights/light.h"
 
 namespace brandung {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-glm::dvec3 point_in_world(const Transform &m, glm::dvec3 p) {
-    return glm::dvec3(m.x) * p.x + glm::dvec3(m.y) * p.y + glm::dvec3(m.z) * p.z + glm::dvec3(m.origin);
-}
+using glm::dvec3;
 
-/// Where a ray has hit something.
-struct SurfacePlace {
-    vec3 origin;        ///< of rays that leave it on the side that they have come from
-    glm::dvec3 normal;  ///< to that side, unit length
+/// A map of points, with the magnitudes of its linear part's numbers.
+struct PlaceMap {
+    explicit PlaceMap(const Transform &m) : linear(dvec3(m.x), dvec3(m.y), dvec3(m.z)), origin(m.origin) {
+        for (int axis = 0; axis < 3; ++axis) sizes[axis] = glm::abs(linear[axis]);
+    }
+    dvec3 point(dvec3 p) const { return linear * p + origin; }
+    glm::dmat3 linear, sizes;
+    dvec3 origin;
 };
 
-/// Of the surface's point, in double, put off the surface by more than its rounding to float, and that of a tracer which looks for the surface.
-vec3 origin_off(glm::dvec3 p, glm::dvec3 normal, double error) {
-    const double off = error * (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z));
-    return vec3(p + off * normal);
+/// Where rays that leave a surface begin, on the side that a ray has come from.
+struct SurfacePlace {
+    dvec3 point;
+    dvec3 error;   ///< of tracers that look for the surface there
+    dvec3 normal;  ///< to that side, unit length
+    vec3 origin() const { return vec3(point + glm::dot(glm::abs(normal), error) * normal); }
+};
+
+/// In double, on the primitive itself. Tracers know it to some units in the last place of coordinates.
+SurfacePlace place_on(const GeometryPrimitive &primitive, dvec3 hit) {
+    const dvec3 a(primitive.a);
+    SurfacePlace place{};
+    if (primitive.kind == GeometryPrimitive::Kind::triangle) {
+        place.normal = glm::normalize(glm::cross(dvec3(primitive.b) - a, dvec3(primitive.c) - a));
+        place.point = hit - glm::dot(hit - a, place.normal) * place.normal;
+    } else {
+        place.normal = glm::normalize(hit - a);
+        place.point = a + std::abs(double(primitive.b.x)) * place.normal;
+    }
+    place.error = dvec3(0x1p-20 * std::max({std::abs(place.point.x), std::abs(place.point.y), std::abs(place.point.z)}));
+    return place;
 }
 
-/// A triangle's plane is known to its tracers to the rounding of its corners' coordinates.
-SurfacePlace place_on(const GeometryPrimitive &primitive, const Transform *to_world, const Ray &ray, float t) {
-    const auto in_world = [&](glm::dvec3 p) { return to_world ? point_in_world(*to_world, p) : p; };
-    const glm::dvec3 from(ray.origin), way(ray.direction), a = in_world(primitive.a);
-    glm::dvec3 p = from + double(t) * way, normal;
-    if (primitive.kind == GeometryPrimitive::Kind::triangle) {
-        const glm::dvec3 b = in_world(primitive.b), c = in_world(primitive.c);
-        normal = glm::normalize(glm::cross(b - a, c - a));
-        p -= glm::dot(p - a, normal) * normal;
-    } else {
-        normal = glm::normalize(p - a);
-    }
-    if (glm::dot(normal, way) > 0) normal = -normal;
-    const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    return {origin_off(p, normal, 0x1p-20 * largest), normal};
+/// To which tracers transform rays, with roundings of their own.
+SurfacePlace place_in_world(const SurfacePlace &place, const Instance &instance) {
+    const PlaceMap to_world(instance.to_world), to_group(instance.to_group);
+    const dvec3 point = to_world.point(place.point), back = to_group.sizes * glm::abs(point) + glm::abs(to_group.origin);
+    const dvec3 error = to_world.sizes * (place.error + 0x1p-20 * (glm::abs(place.point) + back)) + 0x1p-20 * glm::abs(point);
+    return {point, error, glm::normalize(glm::transpose(to_group.linear) * place.normal)};
+}
+
+SurfacePlace place_of(const SceneGeometry &geometry, const Ray &ray, const Hit &hit, uint instance) {
+    const dvec3 in_world = dvec3(ray.origin) + double(hit.t) * dvec3(ray.direction);
+    const GeometryPrimitive &primitive = geometry.primitives[hit.primitive];
+    SurfacePlace place = instance == 0 ? place_on(primitive, in_world)
+                                       : place_in_world(place_on(primitive, PlaceMap(geometry.instances[instance].to_group).point(in_world)),
+                                                        geometry.instances[instance]);
+    if (glm::dot(place.normal, dvec3(ray.direction)) > 0) place.normal = -place.normal;
+    return place;
 }
 
 /// Same bits everywhere: a mixer of 64 bits (splitmix64's), one stream per set.
@@ -58,9 +80,9 @@ double random_unit(std::uint64_t stream, std::uint64_t i) {
 }
 
 /// Above the surface, by the cosine.
-glm::dvec3 cosine_direction(glm::dvec3 normal, double u, double v) {
-    const glm::dvec3 aside = std::abs(normal.x) > 0.5 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-    const glm::dvec3 x = glm::normalize(glm::cross(aside, normal)), y = glm::cross(normal, x);
+dvec3 cosine_direction(dvec3 normal, double u, double v) {
+    const dvec3 aside = std::abs(normal.x) > 0.5 ? dvec3(0, 1, 0) : dvec3(1, 0, 0);
+    const dvec3 x = glm::normalize(glm::cross(aside, normal)), y = glm::cross(normal, x);
     const double radius = std::sqrt(u), angle = 2 * std::numbers::pi * v;
     return glm::normalize(radius * std::cos(angle) * x + radius * std::sin(angle) * y + std::sqrt(1 - u) * normal);
 }
@@ -73,24 +95,25 @@ public:
         const std::vector<uint> pixels = PixelOrder(Window{0, 0, camera.width, camera.height}).next(std::size_t{camera.width} * camera.height);
         return queue(RayQueue::Use::camera, false, 0, pixels.size(), [&](std::size_t i) -> std::optional<Ray> {
             const double x = ((pixels[i] & 0xffff) + 0.5) / camera.width, y = ((pixels[i] >> 16) + 0.5) / camera.height;
-            const glm::dvec3 way = glm::dvec3(camera.corner) + x * glm::dvec3(camera.right) + y * glm::dvec3(camera.down);
+            const dvec3 way = dvec3(camera.corner) + x * dvec3(camera.right) + y * dvec3(camera.down);
             return Ray{camera.position, infinity, vec3(glm::normalize(way)), RAY_TAG(RAY_CAMERA, NO_HIT)};
         });
     }
 
     RayQueue bounces(const RayQueue &from, uint generation) const {
         return leaving(from, RayQueue::Use::secondary, false, generation, [&](const SurfacePlace &place, std::size_t i) {
-            const glm::dvec3 way = cosine_direction(place.normal, random_unit(generation, 2 * i), random_unit(generation, 2 * i + 1));
-            return Ray{place.origin, infinity, vec3(way), RAY_TAG(RAY_REFLECTED, NO_HIT)};
+            const dvec3 way = cosine_direction(place.normal, random_unit(generation, 2 * i), random_unit(generation, 2 * i + 1));
+            return Ray{place.origin(), infinity, vec3(way), RAY_TAG(RAY_REFLECTED, NO_HIT)};
         });
     }
 
     RayQueue shadows(const RayQueue &from) const {
         return leaving(from, RayQueue::Use::shadow, true, 0, [&](const SurfacePlace &place, std::size_t) -> std::optional<Ray> {
-            const glm::dvec3 way = glm::dvec3(light_) - glm::dvec3(place.origin);
+            const vec3 origin = place.origin();
+            const dvec3 way = dvec3(light_) - dvec3(origin);
             const double distance = glm::length(way);
             if (glm::dot(way, place.normal) <= 0) return {};
-            return Ray{place.origin, static_cast<float>(0.999 * distance), vec3(way / distance), RAY_TAG(RAY_SHADOW, NO_HIT)};
+            return Ray{origin, static_cast<float>(distance), vec3(way / distance), RAY_TAG(RAY_SHADOW, NO_HIT)};
         });
     }
 
@@ -100,9 +123,7 @@ private:
         return queue(use, shadow, generation, from.count(), [&](std::size_t i) -> std::optional<Ray> {
             const Hit &hit = found.hits[i];
             if (hit.primitive == NO_HIT) return {};
-            const uint instance = found.instances[i];
-            const Transform *to_world = instance == 0 ? nullptr : &geometry_.instances[instance].to_world;
-            return leave(place_on(geometry_.primitives[hit.primitive], to_world, from.rays[i], hit.t), i);
+            return leave(place_of(geometry_, from.rays[i], hit, found.instances[i]), i);
         });
     }
 
@@ -134,6 +155,23 @@ RayQueue asking_for_any(RayQueue queue) {
 const std::vector<std::string> &ray_set_names() {
     static const std::vector<std::string> names = {"camera", "diffuse", "diffuse2", "shadow", "any"};
     return names;
+}
+
+vec3 shadow_light(const Scene &scene) {
+    for (const Light &light : scene.lights) {
+        const std::string kind = light_kinds()[light.kind].name;
+        if (kind != "point" && kind != "spot") continue;
+        vec3 position;
+        std::memcpy(&position, light.words, sizeof position);
+        return position;
+    }
+    Bounds box;
+    for (const auto &shape : scene.shapes)
+        for (std::size_t i = 0; i < shape->count(); ++i) box.add(shape->bounds(i));
+    for (const PlacedGroup &instance : scene.instances) box.add(instance.bounds);
+    if (box.empty()) return {0, 1, 0};
+    const vec3 size = box.high - box.low;
+    return {0.5f * (box.low.x + box.high.x), box.high.y + std::max(size.x, size.z), 0.5f * (box.low.z + box.high.z)};
 }
 
 std::vector<RaySet> make_ray_sets(const std::vector<std::string> &names, const Camera &camera, vec3 light, const SceneGeometry &geometry,

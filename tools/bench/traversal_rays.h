@@ -20,6 +20,10 @@ struct RaySet {
 /// all.
 const std::vector<std::string> &ray_set_names();
 
+/// Where shadow rays end: the place of the first point or spot light (both kinds' words begin with it); without one, a point above the middle of all,
+/// as far as that is wide.
+vec3 shadow_light(const Scene &scene);
+
 /// What the rays of a queue hit first.
 using FindHits = std::function<RayAnswers(const RayQueue &)>;
 
