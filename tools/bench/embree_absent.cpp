@@ -17,6 +17,7 @@ const std::vector<PeerScene> &EmbreePeer::scenes() const {
     return none;
 }
 void EmbreePeer::take(const RayQueue &) {}
+bool EmbreePeer::can_trace(const PeerApi &) const { return false; }
 double EmbreePeer::trace(std::size_t, const PeerApi &) { return 0; }
 RayAnswers EmbreePeer::answers() const { return {}; }
 

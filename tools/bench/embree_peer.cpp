@@ -6,8 +6,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstring>
 
 #include "runtime/opencl/error.h"
@@ -196,14 +196,13 @@ struct EmbreePeer::Implementation {
     void take(const RayQueue &taken) {
         queue = &taken;
         const std::size_t count = (taken.count() + lanes - 1) / lanes;
-        blocks.assign(count, RayBlock{});
-        found_blocks.resize(count), found.resize(taken.count()), found_any.resize(count * lanes);
-        for (std::size_t i = 0; i < taken.count(); ++i) {
+        blocks.resize(count), found_blocks.resize(count), found.resize(taken.count()), found_any.resize(count * lanes);
+        for (std::size_t i = 0; i < count * lanes; ++i) {
+            const Ray &ray = taken.rays[std::min(i, taken.count() - 1)];  // the last one fills its block
             RayBlock &block = blocks[i / lanes];
             const std::size_t lane = i % lanes;
-            for (int axis = 0; axis < 3; ++axis)
-                block.origin[axis][lane] = taken.rays[i].origin[axis], block.direction[axis][lane] = taken.rays[i].direction[axis];
-            block.t_max[lane] = taken.rays[i].t_max;
+            for (int axis = 0; axis < 3; ++axis) block.origin[axis][lane] = ray.origin[axis], block.direction[axis][lane] = ray.direction[axis];
+            block.t_max[lane] = ray.t_max;
         }
     }
 
@@ -248,11 +247,10 @@ struct EmbreePeer::Implementation {
             RTCIntersectContext context;
             rtcInitIntersectContext(&context);
             context.flags = flags;
-            for (std::size_t i = first; i < end; i += width) {
-                alignas(64) int valid[width];
-                for (std::size_t lane = 0; lane < width; ++lane) valid[lane] = i + lane < end ? -1 : 0;
+            alignas(64) int valid[width];
+            std::fill(valid, valid + width, -1);
+            for (std::size_t i = first; i < end; i += width)
                 queue->shadow ? ask_any<width>(scene, context, i, valid) : ask_closest<width>(scene, context, i, valid);
-            }
         });
     }
 
@@ -319,6 +317,10 @@ uint EmbreePeer::native_width() const {
 
 const std::vector<PeerScene> &EmbreePeer::scenes() const { return implementation_->scenes; }
 void EmbreePeer::take(const RayQueue &queue) { implementation_->take(queue); }
+
+bool EmbreePeer::can_trace(const PeerApi &api) const {
+    return !(implementation_->queue->shadow && api.width == 16 && api.coherent && !implementation_->geometry.instances.empty());
+}
 
 double EmbreePeer::trace(std::size_t scene, const PeerApi &api) {
     const RTCScene traced = implementation_->built[scene];

@@ -43,6 +43,8 @@ public:
     const std::vector<PeerScene> &scenes() const;
     /// Rays for trace(), which must live as long.
     void take(const RayQueue &queue);
+    /// Whether Embree comes back: in scenes with instances rtcOccluded16 of 3.13.5 loops for ever with the flag for coherent rays.
+    bool can_trace(const PeerApi &api) const;
     /// All of them; gives the time that it took [s].
     double trace(std::size_t scene, const PeerApi &api);
     /// What the last trace() has found.

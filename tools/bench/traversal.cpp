@@ -51,13 +51,15 @@ public:
 
     /// Everything once, to warm up, and what it finds; false where it was ended.
     bool check() {
-        return std::ranges::all_of(sets_, [&](const RaySet &set) { return check_ours(set) && (!peer_ || warm_up_peer(set)); });
+        return std::ranges::all_of(sets_,
+                                   [&](const RaySet &set) { return check_ours(set) && (!peer_ || set.queue.count() == 0 || warm_up_peer(set)); });
     }
 
     /// One round, in which all take turns; false where it was ended.
     bool measure(uint round) {
         const std::string what = fmt::format("round {} of {}", round, trial_.runs);
-        return std::ranges::all_of(sets_, [&](const RaySet &set) { return measure_ours(set, what) && (!peer_ || measure_peer(set, what)); });
+        return std::ranges::all_of(
+            sets_, [&](const RaySet &set) { return measure_ours(set, what) && (!peer_ || set.queue.count() == 0 || measure_peer(set, what)); });
     }
 
     TraversalResult result;
@@ -92,7 +94,7 @@ private:
             if (!first) first = found;
             TraversalRow &row = result.rows.emplace_back(row_of(set, traversal));
             row.different = count_different(found, *first);
-            if (!peer_) continue;
+            if (!peer_ || set.queue.count() == 0) continue;
             if (!robust) robust = robust_answers(set.queue);
             goes_on(set.name + ", judging");
             row.disagreement = of_first && row.different == 0 ? of_first : compare_answers(geometry_, set.queue, found, *robust);
@@ -112,6 +114,7 @@ private:
         peer_->take(set.queue);
         for (std::size_t scene = 0; scene < peer_->scenes().size(); ++scene)
             for (const PeerApi &api : peer_apis) {
+                if (!peer_->can_trace(api)) continue;
                 if (!goes_on(set.name + ", warming up Embree")) return false;
                 result.peers.push_back({set.name, scene, api, set.queue.count(), peer_->trace(scene, api), {}});
             }
