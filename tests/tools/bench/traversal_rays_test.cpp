@@ -1,0 +1,112 @@
+/// tools/bench/terrain, scene_geometry, traversal_rays and disagreement.
+#include "tools/bench/traversal_rays.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "runtime/renderer.h"
+#include "scene/compile.h"
+#include "scene/vectors.h"
+#include "tools/bench/disagreement.h"
+#include "tools/bench/terrain.h"
+
+namespace brandung {
+namespace {
+
+SceneGeometry geometry_of(const Scene &scene) { return geometry_of(scene, compile(scene)); }
+
+/// A floor at y = 0, 20 wide, seen from above; who asks finds it by hand.
+SceneGeometry floor_geometry() {
+    const vec3 a(-10, 0, -10), b(30, 0, -10), c(-10, 0, 30);
+    return {{{GeometryPrimitive::Kind::triangle, a, b, c}}, {{0, 1}}, {}};
+}
+
+RayAnswers find_floor(const RayQueue &queue) {
+    RayAnswers answers;
+    for (const Ray &ray : queue.rays) {
+        const float t = -ray.origin.y / ray.direction.y;
+        answers.hits.push_back({t, 0, 0, t > 0 ? 0 : NO_HIT}), answers.instances.push_back(0);
+    }
+    return answers;
+}
+
+std::vector<RaySet> floor_rays(const std::vector<std::string> &names, vec3 light = {0, 3, 0}) {
+    const Camera camera = make_camera({.name = "", .from = {0.1f, 2, 0.2f}, .at = {0, 0, 0}, .up = {0, 0, 1}}, 64, 64);
+    return make_ray_sets(names, camera, light, floor_geometry(), find_floor);
+}
+
+TEST(Terrain, HasAboutAsManyTrianglesAsAskedForAndIsFinite) {
+    for (const uint wanted : {1000u, 5000u, 100000u}) {
+        const SceneGeometry geometry = geometry_of(terrain(wanted));
+        EXPECT_NEAR(double(geometry.primitives.size()), wanted, 0.1 * wanted);
+        for (const GeometryPrimitive &triangle : geometry.primitives)
+            ASSERT_TRUE(triangle.kind == GeometryPrimitive::Kind::triangle && is_finite(triangle.a) && is_finite(triangle.b) &&
+                        is_finite(triangle.c));
+    }
+}
+
+TEST(Terrain, IsTheSameEachTime) {
+    const SceneGeometry a = geometry_of(terrain(5000)), b = geometry_of(terrain(5000));
+    ASSERT_EQ(a.primitives.size(), b.primitives.size());
+    EXPECT_EQ(std::memcmp(a.primitives.data(), b.primitives.data(), a.primitives.size() * sizeof(GeometryPrimitive)), 0);
+}
+
+TEST(TraversalRays, CameraRaysGoThroughPixelsInARendersOrder) {
+    const std::vector<RaySet> sets = floor_rays({"camera"});
+    ASSERT_EQ(sets.size(), 1u);
+    ASSERT_EQ(sets[0].queue.count(), 64u * 64u);
+    EXPECT_TRUE(sets[0].queue.coherent && !sets[0].queue.shadow);
+    const auto &rays = sets[0].queue.rays;
+    EXPECT_GT(glm::distance(rays[0].direction, rays[64].direction), glm::distance(rays[0].direction, rays[1].direction)) << "blocks of 8 x 8";
+    for (const Ray &ray : rays) ASSERT_NEAR(glm::length(ray.direction), 1, 1e-6);
+}
+
+TEST(TraversalRays, BouncesLeaveTheSurfaceOnTheSideThatIsSeen) {
+    const std::vector<RaySet> sets = floor_rays({"diffuse", "any"});
+    ASSERT_EQ(sets.size(), 2u);
+    double cosines = 0;
+    for (const Ray &ray : sets[0].queue.rays) {
+        ASSERT_GT(ray.origin.y, 0);
+        ASSERT_LT(ray.origin.y, 1e-4);
+        ASSERT_GE(ray.direction.y, 0);
+        ASSERT_EQ(RAY_SOURCE(ray.tag), NO_HIT);
+        cosines += double(ray.direction.y);
+    }
+    EXPECT_NEAR(cosines / double(sets[0].queue.count()), 2.0 / 3, 0.02) << "of a cosine distribution";
+    ASSERT_EQ(sets[1].queue.count(), sets[0].queue.count());
+    EXPECT_TRUE(sets[1].queue.shadow);
+    EXPECT_EQ(sets[1].queue.rays[5].direction, sets[0].queue.rays[5].direction);
+}
+
+TEST(TraversalRays, ShadowRaysEndAtTheLightAndOnlyWhereItShines) {
+    for (const Ray &ray : floor_rays({"shadow"})[0].queue.rays)
+        ASSERT_NEAR(glm::distance(ray.origin + ray.t_max * ray.direction, vec3(0, 3, 0)), 0, 1e-5);
+    EXPECT_EQ(floor_rays({"shadow"}, {0, -3, 0})[0].queue.count(), 0u);
+}
+
+TEST(TraversalRays, AreTheSameEachTime) {
+    const auto a = floor_rays({"diffuse"}), b = floor_rays({"diffuse"});
+    EXPECT_EQ(std::memcmp(a[0].queue.rays.data(), b[0].queue.rays.data(), a[0].queue.count() * sizeof(Ray)), 0);
+}
+
+/// One of 4096 hits is made a miss, and one is moved.
+TEST(Disagreement, CountsWhoIsWrong) {
+    const RaySet camera = floor_rays({"camera"})[0];
+    const RayAnswers right = find_floor(camera.queue);
+    RayAnswers wrong = right;
+    wrong.hits[17].primitive = NO_HIT, wrong.hits[99].t *= 1.01f;
+    const Disagreement ours = compare_answers(floor_geometry(), camera.queue, wrong, right),
+                       theirs = compare_answers(floor_geometry(), camera.queue, right, wrong);
+    EXPECT_EQ(ours.mismatches, 2u);
+    EXPECT_EQ(ours.judged, 2u);
+    EXPECT_EQ(ours.ours_wrong, 2u);
+    EXPECT_EQ(ours.theirs_wrong, 0u);
+    EXPECT_EQ(theirs.theirs_wrong, 2u);
+    EXPECT_EQ(theirs.ambiguous, 0u);
+    EXPECT_EQ(compare_answers(floor_geometry(), camera.queue, right, right).mismatches, 0u);
+}
+
+}  // namespace
+}  // namespace brandung
