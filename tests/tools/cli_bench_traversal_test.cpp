@@ -33,6 +33,16 @@ bool is_repeated(const json &row, const std::vector<json> &rows) {
     return std::ranges::any_of(rows, [&](json other) { return other.at("variant") != "render" && (other["variant"] = "render", other == row); });
 }
 
+/// Of those that were measured in both rounds, for the same rays.
+double fastest_peer(const json &all, const json &row, const std::string &scene) {
+    double best = 0;
+    for (const json &peer : all.at("embree_rows")) {
+        if (peer.at("scene") != row.at("scene") || peer.at("rays") != row.at("rays") || peer.at("embree_scene") != scene) continue;
+        if (peer.at("rounds") == 2) best = std::max(best, peer.at("mrays_per_s").get<double>());
+    }
+    return best;
+}
+
 }  // namespace
 
 TEST(CliBenchTraversal, GivesARowForEachVariantAndTheOneOfARender) {
@@ -78,10 +88,7 @@ TEST(CliBenchTraversal, AgreesWithEmbreeButForRounding) {
         for (const char *end : {"", "_high", "_robust"}) {
             const double best = row.at(std::string("embree_best") + end);
             EXPECT_NEAR(row.at(std::string("ratio") + end).get<double>(), speed / best, 1e-9);
-            for (const json &peer : all.at("embree_rows"))
-                if (peer.at("scene") == row.at("scene") && peer.at("rays") == row.at("rays") && peer.at("rounds") == 2 &&
-                    peer.at("embree_scene") == (*end ? end + 1 : "medium"))
-                    EXPECT_LE(peer.at("mrays_per_s"), best);
+            EXPECT_EQ(best, fastest_peer(all, row, *end ? end + 1 : "medium"));
         }
     }
 }
@@ -113,7 +120,7 @@ TEST(CliBenchTraversal, SaysWhatItWasToldWrongly) {
     };
     EXPECT_NE(fault({}).find("--procedural"), std::string::npos);
     EXPECT_NE(fault({"--procedural", "sea:5000"}).find("must be terrain:N"), std::string::npos);
-    EXPECT_NE(fault({"--procedural", "terrain:12"}).find("from 1000 to"), std::string::npos);
+    EXPECT_NE(fault({"--procedural", "terrain:12"}).find("from 5000 to"), std::string::npos);
     EXPECT_NE(fault({"--procedural", "terrain:5000", "--rays", "camera,mirror"}).find("mirror"), std::string::npos);
     EXPECT_NE(fault({"--procedural", "terrain:5000", "--peer", "optix"}).find("optix"), std::string::npos);
     EXPECT_NE(fault({"--procedural", "terrain:5000", "--accelerator", "bvh9"}).find("bvh9"), std::string::npos);

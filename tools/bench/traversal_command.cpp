@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int wrong_status = 3;
-constexpr uint least_terrain = 1000, most_terrain = 1u << 26;
+constexpr uint least_terrain = 5000, most_terrain = 1u << 26;
 
 struct Options : SceneOptions {
     Options() { batch = 262144; }
