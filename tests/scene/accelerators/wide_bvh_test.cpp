@@ -208,7 +208,7 @@ References rods(uint count) {
 
 TEST(WideBvh, HighQualitySavesStepsWhereThingsLieAcrossEachOther) {
     const References references = rods(20'000);
-    EXPECT_LT(expected_steps(build(references, BuildQuality::high)), 0.9 * expected_steps(build(references)));  // measured: MEASURED
+    EXPECT_LT(expected_steps(build(references, BuildQuality::high)), 0.85 * expected_steps(build(references)));  // measured: 0.79
 }
 
 TEST(WideBvh, HighQualityCostsNoStepsElsewhere) {
