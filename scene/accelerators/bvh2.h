@@ -10,7 +10,7 @@ namespace brandung {
 
 struct Bvh2Node {
     KindBox box;        ///< exact union of the boxes of its references
-    uint first, count;  ///< its references, a range of Bvh2::references
+    uint first, count;  ///< its references: a range of Bvh2::references, above leaves only until reinsert() moves some
     uint children;      ///< index of the first of two adjacent nodes; 0: none, a leaf
 
     /// Its references may be one block.
@@ -20,7 +20,7 @@ struct Bvh2Node {
 /// The tree is the same for any number of threads, only the places of its nodes are not.
 struct Bvh2 {
     LargeArray<SortedReference> references;
-    LargeArray<Bvh2Node> nodes;  ///< the root first; parents before their children
+    LargeArray<Bvh2Node> nodes;  ///< the root first; as built, parents before their children
     uint node_count = 0;
     RelativeArea area_of;
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 
 #include <algorithm>
 #include <limits>
@@ -17,8 +18,9 @@ namespace {
 
 constexpr uint most_slack = 16;
 constexpr uint piece_size = 16384;         ///< references of a subtree that is one task
-constexpr uint high_smallest_divided = 5;  ///< for quality high: offering smaller blocks in pieces gains next to nothing
+constexpr uint high_smallest_divided = 5;  ///< for quality high; offering smaller blocks in pieces gains next to nothing
 
+/// The hierarchy to collapse, and how.
 struct BinaryTree {
     const Bvh2 &nodes;
     LargeArray<Cut> cuts;

@@ -211,9 +211,9 @@ TEST(WideBvh, HighQualitySavesStepsWhereThingsLieAcrossEachOther) {
     EXPECT_LT(expected_steps(build(references, BuildQuality::high)), 0.85 * expected_steps(build(references)));  // measured: 0.79
 }
 
-TEST(WideBvh, HighQualityCostsNoStepsElsewhere) {
+TEST(WideBvh, HighQualitySavesStepsAmongBoxesAtRandom) {
     for (const References &references : {random_boxes(20'000, 1, 0.02f), random_boxes(20'000, 3, 0.001f)})
-        EXPECT_LT(expected_steps(build(references, BuildQuality::high)), expected_steps(build(references)));
+        EXPECT_LT(expected_steps(build(references, BuildQuality::high)), 0.97 * expected_steps(build(references)));  // measured: 0.93, 0.91
 }
 
 /// The boxes of a height field's triangles.
