@@ -171,7 +171,9 @@ TEST(Counts, OfKernelsItemsAreThoseOfTheRays) {
             const std::uint64_t traced = counts.rays[RAY_CAMERA] + counts.rays[RAY_REFLECTED] + counts.rays[RAY_REFRACTED];
             EXPECT_EQ(counts.rays[RAY_CAMERA], 50u * 50);
             EXPECT_EQ(run.items("generate_camera_rays"), counts.rays[RAY_CAMERA]);
-            EXPECT_EQ(run.items("intersect") + run.items("intersect_packets"), traced);
+            std::uint64_t in_traversals = 0;
+            for (const Traversal &traversal : traversals()) in_traversals += run.items(traversal.closest_hit);
+            EXPECT_EQ(in_traversals, traced);
             EXPECT_EQ(run.items("evaluate_surfaces"), traced);
             EXPECT_EQ(run.items("shade_whitted"), traced) << "one block of lights";
             EXPECT_EQ(run.items("spawn_shadow_rays"), 3 * traced) << "three lights";

@@ -113,11 +113,11 @@ TEST_P(WideBvhOfCase, DepthFirstOrderMeetsEveryBlockAndNodeOnceInTheOrderOfTheir
     for (uint kind = 0; kind < MAX_PRIMITIVE_KINDS; ++kind) EXPECT_EQ(next_block[kind], built.blocks[kind].size());
 }
 
-TEST_P(WideBvhOfCase, EmptyChildrenAreLastAndHaveFiniteBoxes) {
+TEST_P(WideBvhOfCase, EmptyChildrenAreLastAndTheirBoxesAreTurnedInsideOut) {
     for (const BvhNode &node : nodes) {
         for (uint slot = uint(children_of(node).size()); slot < BVH_WIDTH; ++slot) {
             ASSERT_EQ(node.child[slot], BVH_EMPTY);
-            ASSERT_TRUE(box_of(node, slot).low == vec3(0) && box_of(node, slot).high == vec3(0));
+            ASSERT_TRUE(box_of(node, slot).low == vec3(INFINITY) && box_of(node, slot).high == vec3(-INFINITY));
         }
     }
 }
