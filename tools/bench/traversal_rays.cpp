@@ -87,21 +87,27 @@ dvec3 cosine_direction(dvec3 normal, double u, double v) {
     return glm::normalize(radius * std::cos(angle) * x + radius * std::sin(angle) * y + std::sqrt(1 - u) * normal);
 }
 
+/// A ray that says which primitive it leaves, and in which instance, as those of a render do.
+struct TaggedRay {
+    Ray ray;
+    uint instance;
+};
+
 class RayMaker {
 public:
     RayMaker(const SceneGeometry &geometry, vec3 light, const FindHits &find_hits) : geometry_(geometry), light_(light), find_hits_(find_hits) {}
 
     RayQueue camera_rays(const Camera &camera) const {
         const std::vector<uint> pixels = PixelOrder(Window{0, 0, camera.width, camera.height}).next(std::size_t{camera.width} * camera.height);
-        return queue(RayQueue::Use::camera, false, 0, pixels.size(), [&](std::size_t i) -> std::optional<Ray> {
+        return queue(RayQueue::Use::camera, false, 0, pixels.size(), [&](std::size_t i) -> std::optional<TaggedRay> {
             const double x = ((pixels[i] & 0xffff) + 0.5) / camera.width, y = ((pixels[i] >> 16) + 0.5) / camera.height;
             const dvec3 way = dvec3(camera.corner) + x * dvec3(camera.right) + y * dvec3(camera.down);
-            return Ray{camera.position, infinity, vec3(glm::normalize(way)), RAY_TAG(RAY_CAMERA, NO_HIT)};
+            return TaggedRay{{camera.position, infinity, vec3(glm::normalize(way)), RAY_TAG(RAY_CAMERA, NO_HIT)}, 0};
         });
     }
 
     RayQueue bounces(const RayQueue &from, uint generation) const {
-        return leaving(from, RayQueue::Use::secondary, false, generation, [&](const SurfacePlace &place, std::size_t i) {
+        return leaving(from, RayQueue::Use::secondary, false, generation, [&](const SurfacePlace &place, std::size_t i) -> std::optional<Ray> {
             const dvec3 way = cosine_direction(place.normal, random_unit(generation, 2 * i), random_unit(generation, 2 * i + 1));
             return Ray{place.origin(), infinity, vec3(way), RAY_TAG(RAY_REFLECTED, NO_HIT)};
         });
@@ -120,21 +126,23 @@ public:
 private:
     template <class Leave> RayQueue leaving(const RayQueue &from, RayQueue::Use use, bool shadow, uint generation, Leave leave) const {
         const RayAnswers found = find_hits_(from);
-        return queue(use, shadow, generation, from.count(), [&](std::size_t i) -> std::optional<Ray> {
+        return queue(use, shadow, generation, from.count(), [&](std::size_t i) -> std::optional<TaggedRay> {
             const Hit &hit = found.hits[i];
             if (hit.primitive == NO_HIT) return {};
-            return leave(place_of(geometry_, from.rays[i], hit, found.instances[i]), i);
+            std::optional<Ray> ray = leave(place_of(geometry_, from.rays[i], hit, found.instances[i]), i);
+            if (!ray) return {};
+            ray->tag = RAY_TAG(RAY_KIND(ray->tag), hit.primitive);
+            return TaggedRay{*ray, found.instances[i]};
         });
     }
 
     /// Of what `make` gives for 0 ... count - 1, in this order.
     template <class Make> RayQueue queue(RayQueue::Use use, bool shadow, uint generation, std::size_t count, Make make) const {
-        std::vector<std::optional<Ray>> rays(count);
+        std::vector<std::optional<TaggedRay>> rays(count);
         tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { rays[i] = make(i); });
         RayQueue queue{use, shadow, shadow ? are_shadow_rays_coherent(generation) : are_coherent(generation), {}, {}};
-        for (const std::optional<Ray> &ray : rays)
-            if (ray) queue.rays.push_back(*ray);
-        queue.sources.resize(queue.rays.size());
+        for (const std::optional<TaggedRay> &ray : rays)
+            if (ray) queue.rays.push_back(ray->ray), queue.sources.push_back(ray->instance);
         return queue;
     }
 
@@ -146,7 +154,7 @@ private:
 /// The same rays, but for the question.
 RayQueue asking_for_any(RayQueue queue) {
     queue.use = RayQueue::Use::shadow, queue.shadow = true, queue.coherent = are_shadow_rays_coherent(0);
-    for (Ray &ray : queue.rays) ray.tag = RAY_TAG(RAY_SHADOW, NO_HIT);
+    for (Ray &ray : queue.rays) ray.tag = RAY_TAG(RAY_SHADOW, RAY_SOURCE(ray.tag));
     return queue;
 }
 

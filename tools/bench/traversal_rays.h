@@ -8,8 +8,8 @@
 
 namespace brandung {
 
-/// Rays that are traced together. They leave no primitive as far as their tags know, and begin beyond the rounding of where they do: what any tracer
-/// finds from there at t >= 0 is right.
+/// Rays that are traced together. Their tags say which primitive they leave, as those of a render do, and they begin beyond the rounding of where
+/// they do: what a tracer finds at t >= 0 that does not know what they leave is right too.
 struct RaySet {
     std::string name;
     RayQueue queue;

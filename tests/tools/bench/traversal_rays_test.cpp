@@ -71,7 +71,7 @@ TEST(TraversalRays, BouncesLeaveTheSurfaceOnTheSideThatIsSeen) {
         ASSERT_GT(ray.origin.y, 0);
         ASSERT_LT(ray.origin.y, 1e-4);
         ASSERT_GE(ray.direction.y, 0);
-        ASSERT_EQ(RAY_SOURCE(ray.tag), NO_HIT);
+        ASSERT_EQ(RAY_SOURCE(ray.tag), 0u) << "the floor";
         cosines += double(ray.direction.y);
     }
     EXPECT_NEAR(cosines / double(sets[0].queue.count()), 2.0 / 3, 0.02) << "of a cosine distribution";
