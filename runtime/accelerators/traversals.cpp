@@ -3,21 +3,12 @@
 #include <algorithm>
 
 namespace brandung {
-namespace {
-
-const Traversal &best_available(std::initializer_list<std::size_t> places, const Device &device, const CompiledScene &compiled) {
-    return traversals()[*std::find_if(places.begin(), places.end(), [&](std::size_t i) { return is_available(traversals()[i], device, compiled); })];
-}
-
-constexpr std::size_t packets = 0, interleaved = 1, single = 2;  ///< places in the list
-
-}  // namespace
 
 const std::vector<Traversal> &traversals() {
     static const std::vector<Traversal> all = {
-        {"packets", "intersect_packets", "trace_shadow_rays", &AcceleratorKind::packets},
-        {"interleaved", "intersect_interleaved", "trace_shadow_rays_interleaved", &AcceleratorKind::interleaved},
-        {"single", "intersect", "trace_shadow_rays_singly", nullptr},
+        {"packets", "intersect_packets", "trace_shadow_rays", &AcceleratorKind::packets, true},
+        {"interleaved", "intersect_interleaved", "trace_shadow_rays_interleaved", &AcceleratorKind::interleaved, false},
+        {"single", "intersect", "trace_shadow_rays_singly", nullptr, false},
     };
     return all;
 }
@@ -27,7 +18,8 @@ bool is_available(const Traversal &traversal, const Device &device, const Compil
 }
 
 const Traversal &traversal_of_render(bool coherent, const Device &device, const CompiledScene &compiled) {
-    return coherent ? best_available({packets, interleaved, single}, device, compiled) : best_available({interleaved, single}, device, compiled);
+    return *std::ranges::find_if(
+        traversals(), [&](const Traversal &traversal) { return (coherent || !traversal.for_coherent) && is_available(traversal, device, compiled); });
 }
 
 }  // namespace brandung

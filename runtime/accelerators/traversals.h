@@ -14,8 +14,9 @@ struct Traversal {
     const char *closest_hit;         ///< has the parameters of kernels/stages/intersect.cl
     const char *any_hit;             ///< and of kernels/stages/trace_shadow_rays_singly.cl
     bool AcceleratorKind::*support;  ///< what the accelerator must have; null: all have it
+    bool for_coherent;               ///< pays for rays that stay together only
 };
-/// THE list of traversals.
+/// THE list of traversals: of those that there are and that pay, a render takes the first.
 const std::vector<Traversal> &traversals();
 
 /// Whether the accelerator has it, on such a device: what traces several rays at once pays where a work-item has many.
