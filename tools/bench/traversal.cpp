@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "runtime/opencl/source.h"
-#include "scene/accelerators/accelerator.h"
+#include "tools/bench/candidate.h"
 #include "tools/scene_options.h"
 
 namespace brandung {
@@ -33,18 +33,15 @@ public:
         : device_(device),
           trial_(trial),
           name_(std::filesystem::path(scene.file).stem().string()),
-          compiled_(compile(scene, {.accelerator = &find_accelerator(trial.accelerator)})),
-          on_device_(device, compiled_),
-          tracing_(device, compiled_, on_device_, trial.batch),
-          geometry_(geometry_of(scene, compiled_)) {
-        compiled_.arena = {};  // the device has it
+          ours_(device, scene, trial.accelerator, trial.batch, [&](const CompiledScene &compiled) { geometry_ = geometry_of(scene, compiled); }) {
+        const CompiledScene &compiled = ours_.compiled;
         result = {.scene = name_,
-                  .accelerator = compiled_.accelerator->name,
-                  .primitives = compiled_.primitive_count,
-                  .instances = compiled_.instance_count,
-                  .node_bytes = compiled_.node_bytes,
-                  .block_bytes = compiled_.block_bytes,
-                  .build_seconds = compiled_.accelerator_seconds};
+                  .accelerator = compiled.accelerator->name,
+                  .primitives = compiled.primitive_count,
+                  .instances = compiled.instance_count,
+                  .node_bytes = compiled.node_bytes,
+                  .block_bytes = compiled.block_bytes,
+                  .build_seconds = compiled.accelerator_seconds};
         make_rays(scene);
         if (trial.embree && goes_on("Embree builds")) add_peer();
     }
@@ -70,7 +67,7 @@ private:
         const Camera camera = make_camera(chosen_camera(scene, trial_.camera), scene.film.width, scene.film.height);
         const auto find_hits = [&](const RayQueue &queue) {
             RayAnswers found;
-            trace(queue, traversal_of_render(false, device_, compiled_), &found);
+            trace(queue, traversal_of_render(false, device_, ours_.compiled), &found);
             return found;
         };
         sets_ = make_ray_sets(trial_.rays, camera, shadow_light(scene), geometry_, find_hits);
@@ -87,7 +84,7 @@ private:
         std::optional<RayAnswers> first, robust;
         std::optional<Disagreement> of_first;
         for (const Traversal &traversal : traversals()) {
-            if (!is_available(traversal, device_, compiled_)) continue;
+            if (!is_available(traversal, device_, ours_.compiled)) continue;
             if (!goes_on(set.name + ", warming up")) return false;
             RayAnswers found;
             trace(set.queue, traversal, &found);
@@ -153,19 +150,19 @@ private:
         const char *kernel = set.queue.shadow ? traversal.any_hit : traversal.closest_hit;
         return {.rays = set.name,
                 .traversal = &traversal,
-                .of_render = &traversal == &traversal_of_render(set.queue.coherent, device_, compiled_),
+                .of_render = &traversal == &traversal_of_render(set.queue.coherent, device_, ours_.compiled),
                 .count = set.queue.count(),
                 .kernel = kernel,
-                .hash = hash_of_text(expand_source(fmt::format("kernels/stages/{}.cl", kernel), on_device_.lists()))};
+                .hash = hash_of_text(expand_source(fmt::format("kernels/stages/{}.cl", kernel), ours_.on_device.lists()))};
     }
 
     /// In batches; `found` takes the answers unless it is null.
     TraceSeconds trace(const RayQueue &queue, const Traversal &traversal, RayAnswers *found) {
         TraceSeconds sum{};
         for (std::size_t first = 0; first < queue.count(); first += trial_.batch) {
-            const TraceSeconds seconds = tracing_.trace(part_of(queue, first, trial_.batch), traversal);
+            const TraceSeconds seconds = ours_.tracing.trace(part_of(queue, first, trial_.batch), traversal);
             sum.device += seconds.device, sum.wall += seconds.wall;
-            if (found) append(*found, tracing_.answers());
+            if (found) append(*found, ours_.tracing.answers());
         }
         return sum;
     }
@@ -178,10 +175,8 @@ private:
     Device &device_;
     const TraversalTrial &trial_;
     std::string name_;
-    CompiledScene compiled_;
-    DeviceScene on_device_;
-    RayTracing tracing_;
     SceneGeometry geometry_;
+    Candidate ours_;
     std::vector<RaySet> sets_;
     std::optional<EmbreePeer> peer_;
 };
