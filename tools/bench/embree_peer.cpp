@@ -1,17 +1,15 @@
 #include "tools/bench/embree_peer.h"
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 #include <immintrin.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstring>
 
-#include "runtime/opencl/error.h"
 #include "runtime/opencl/seconds_now.h"
+#include "tools/bench/embree_scenes.h"
 
 namespace brandung {
 namespace {
@@ -84,114 +82,10 @@ private:
     unsigned before_;
 };
 
-[[noreturn]] void fail(RTCDevice device, const std::string &what) {
-    throw Error(fmt::format("Embree: {} failed with error {}", what, static_cast<int>(rtcGetDeviceError(device))));
-}
-
-/// Numbers of the scene's primitives by Embree's, of one geometry.
-using Numbers = std::vector<uint>;
-
-/// Copies of coordinates, which Embree's geometries share; one per space.
-struct SharedBuffers {
-    std::vector<vec3> corners;
-    std::vector<uint> indices;
-    std::vector<glm::vec4> spheres;
-    Numbers triangle_numbers, sphere_numbers;
-    std::vector<const Numbers *> numbers;  ///< by geometry
-};
-
-SharedBuffers buffers_of(const SceneGeometry &geometry, const GeometrySpace &space) {
-    SharedBuffers buffers;
-    for (uint i = space.first; i < space.end; ++i) {
-        const GeometryPrimitive &primitive = geometry.primitives[i];
-        if (primitive.kind == GeometryPrimitive::Kind::sphere) {
-            buffers.spheres.emplace_back(primitive.a, primitive.b.x), buffers.sphere_numbers.push_back(i);
-            continue;
-        }
-        for (const vec3 &corner : {primitive.a, primitive.b, primitive.c}) {
-            buffers.indices.push_back(static_cast<uint>(buffers.corners.size()));
-            buffers.corners.push_back(corner);
-        }
-        buffers.triangle_numbers.push_back(i);
-    }
-    buffers.corners.emplace_back();  // Embree reads 16 bytes of the last one
-    return buffers;
-}
-
 }  // namespace
 
 struct EmbreePeer::Implementation {
-    Implementation(const SceneGeometry &geometry, uint threads)
-        : geometry(geometry), arena(static_cast<int>(threads)), device(rtcNewDevice(fmt::format("threads={}", threads).c_str())) {
-        if (!device) fail(nullptr, "rtcNewDevice");
-        rtcSetDeviceMemoryMonitorFunction(
-            device, [](void *sum, ssize_t bytes, bool) { return *static_cast<std::atomic<std::int64_t> *>(sum) += bytes, true; }, &allocated);
-        for (const GeometrySpace &space : geometry.spaces) buffers.push_back(buffers_of(geometry, space));
-        build("medium", false, RTC_BUILD_QUALITY_MEDIUM), build("high", false, RTC_BUILD_QUALITY_HIGH);
-        build("robust", true, RTC_BUILD_QUALITY_MEDIUM);
-    }
-
-    ~Implementation() {
-        for (const RTCScene scene : built) rtcReleaseScene(scene);
-        for (const RTCScene scene : groups) rtcReleaseScene(scene);
-        rtcReleaseDevice(device);
-    }
-
-    void build(const char *name, bool robust, RTCBuildQuality quality) {
-        const std::int64_t before = allocated;
-        const double start = seconds_now();
-        std::vector<RTCScene> of_groups;
-        for (std::size_t space = 1; space < buffers.size(); ++space) of_groups.push_back(new_scene(space, robust, quality));
-        for (const RTCScene group : of_groups) rtcCommitScene(group);
-        const RTCScene world = new_scene(0, robust, quality);
-        for (uint i = 1; i < geometry.instances.size(); ++i) add_instance(world, of_groups[geometry.instances[i].group], i);
-        rtcCommitScene(world);
-        if (rtcGetDeviceError(device) != RTC_ERROR_NONE) fail(device, "building a scene");
-        groups.insert(groups.end(), of_groups.begin(), of_groups.end());
-        built.push_back(world);
-        scenes.push_back({name, robust, seconds_now() - start, static_cast<std::size_t>(allocated - before)});
-    }
-
-    RTCScene new_scene(std::size_t space, bool robust, RTCBuildQuality quality) {
-        const RTCScene scene = rtcNewScene(device);
-        if (robust) rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-        rtcSetSceneBuildQuality(scene, quality);
-        SharedBuffers &shared = buffers[space];
-        shared.numbers.clear();
-        if (!shared.indices.empty()) {
-            const RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-            rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, shared.corners.data(), 0, sizeof(vec3),
-                                       shared.corners.size() - 1);
-            rtcSetSharedGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, shared.indices.data(), 0, 3 * sizeof(uint),
-                                       shared.indices.size() / 3);
-            add(scene, triangles, quality, shared, shared.triangle_numbers);
-        }
-        if (!shared.spheres.empty()) {
-            const RTCGeometry spheres = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
-            rtcSetSharedGeometryBuffer(spheres, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, shared.spheres.data(), 0, sizeof(glm::vec4),
-                                       shared.spheres.size());
-            add(scene, spheres, quality, shared, shared.sphere_numbers);
-        }
-        return scene;
-    }
-
-    static void add(RTCScene scene, RTCGeometry added, RTCBuildQuality quality, SharedBuffers &shared, const Numbers &numbers) {
-        rtcSetGeometryBuildQuality(added, quality);
-        rtcCommitGeometry(added);
-        rtcAttachGeometryByID(scene, added, static_cast<uint>(shared.numbers.size()));
-        rtcReleaseGeometry(added);
-        shared.numbers.push_back(&numbers);
-    }
-
-    /// Its geometries come after those of the world, at most two.
-    void add_instance(RTCScene world, RTCScene group, uint instance) {
-        const RTCGeometry placed = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-        rtcSetGeometryInstancedScene(placed, group);
-        rtcSetGeometryTransform(placed, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &geometry.instances[instance].to_world);
-        rtcCommitGeometry(placed);
-        rtcAttachGeometryByID(world, placed, instance + 1);
-        rtcReleaseGeometry(placed);
-    }
+    Implementation(const SceneGeometry &geometry, uint threads) : arena(static_cast<int>(threads)), scenes(geometry, threads) {}
 
     void take(const RayQueue &taken) {
         queue = &taken;
@@ -277,13 +171,8 @@ struct EmbreePeer::Implementation {
         return {block.t[lane], block.u[lane], block.v[lane], block.primitive[lane], block.geometry[lane], block.instance[lane]};
     }
 
-    const SceneGeometry &geometry;
     tbb::task_arena arena;
-    RTCDevice device;
-    std::atomic<std::int64_t> allocated = 0;
-    std::vector<SharedBuffers> buffers;  ///< by space
-    std::vector<PeerScene> scenes;
-    std::vector<RTCScene> built, groups;
+    EmbreeScenes scenes;
     const RayQueue *queue = nullptr;
     std::vector<RayBlock> blocks;
     uint width = 1;  ///< of the last trace()
@@ -306,24 +195,24 @@ EmbreePeer::EmbreePeer(const SceneGeometry &geometry, uint threads) : implementa
 EmbreePeer::~EmbreePeer() = default;
 
 std::string EmbreePeer::version() const {
-    const auto number = rtcGetDeviceProperty(implementation_->device, RTC_DEVICE_PROPERTY_VERSION);
+    const auto number = rtcGetDeviceProperty(implementation_->scenes.device(), RTC_DEVICE_PROPERTY_VERSION);
     return fmt::format("{}.{}.{}", number / 10000, number / 100 % 100, number % 100);
 }
 
 uint EmbreePeer::native_width() const {
-    if (rtcGetDeviceProperty(implementation_->device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED)) return 16;
-    return rtcGetDeviceProperty(implementation_->device, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) ? 8 : 4;
+    if (rtcGetDeviceProperty(implementation_->scenes.device(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED)) return 16;
+    return rtcGetDeviceProperty(implementation_->scenes.device(), RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) ? 8 : 4;
 }
 
-const std::vector<PeerScene> &EmbreePeer::scenes() const { return implementation_->scenes; }
+const std::vector<PeerScene> &EmbreePeer::scenes() const { return implementation_->scenes.list(); }
 void EmbreePeer::take(const RayQueue &queue) { implementation_->take(queue); }
 
 bool EmbreePeer::can_trace(const PeerApi &api) const {
-    return !(implementation_->queue->shadow && api.width == 16 && api.coherent && !implementation_->geometry.instances.empty());
+    return !(implementation_->queue->shadow && api.width == 16 && api.coherent && !implementation_->scenes.geometry().instances.empty());
 }
 
 double EmbreePeer::trace(std::size_t scene, const PeerApi &api) {
-    const RTCScene traced = implementation_->built[scene];
+    const RTCScene traced = implementation_->scenes.at(scene);
     const auto flags = api.coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     const double start = seconds_now();
     if (api.width == 1) implementation_->trace_singly(traced, flags);
@@ -345,8 +234,7 @@ RayAnswers EmbreePeer::answers() const {
         const SingleHit hit = implementation_->found_at(i);
         const bool missed = hit.geometry == RTC_INVALID_GEOMETRY_ID;
         const uint instance = missed || hit.instance == RTC_INVALID_GEOMETRY_ID ? 0 : hit.instance - 1;
-        const std::size_t space = instance == 0 ? 0 : implementation_->geometry.instances[instance].group + 1;
-        const uint primitive = missed ? NO_HIT : (*implementation_->buffers[space].numbers[hit.geometry])[hit.primitive];
+        const uint primitive = missed ? NO_HIT : implementation_->scenes.number_of(instance, hit.geometry, hit.primitive);
         answers.hits.push_back({hit.t, hit.u, hit.v, primitive});
         answers.instances.push_back(instance);
     }
