@@ -165,6 +165,28 @@ TEST_P(EquivalenceOfHighQuality, FindsWhatNoneFinds) {
 
 INSTANTIATE_TEST_SUITE_P(Accelerators, EquivalenceOfHighQuality, testing::ValuesIn(scene_kinds()), [](const auto &info) { return info.param.name; });
 
+/// A ray with a NaN meets nothing, and those beside it what they meet without.
+TEST(EquivalenceOfNaNs, HideNothingFromTheirNeighbours) {
+    const SceneKind kind = scene_kinds().front();
+    Scene scene = kind.make();
+    TracedScene none(scene, "none");
+    std::vector<Ray> rays = make_rays(scene, kind.centre);
+    std::vector<Hit> expected = none.closest_hits(rays);
+    for (std::size_t i = 3; i < rays.size(); i += 5) {
+        vec3 &broken = i % 2 ? rays[i].origin : rays[i].direction;
+        broken[int(i / 5 % 3)] = NAN;
+        expected[i].primitive = NO_HIT;
+    }
+    TracedScene traced(scene, "wide_bvh");
+    for (const Traversal &traversal : traced.traversals()) {
+        const std::vector<Hit> hits = traced.closest_hits(traversal, rays);
+        std::size_t different = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            different += expected[i].primitive == NO_HIT ? hits[i].primitive != NO_HIT : !same_bits(hits[i], expected[i]);
+        EXPECT_EQ(different, 0u) << traversal.name << ", of " << rays.size();
+    }
+}
+
 TEST(EquivalenceOfNone, TiesGoToTheLowerNumberAcrossKinds) {
     Scene scene = duplicates();
     TracedScene none(scene, "none");
