@@ -5,13 +5,13 @@
     for (uint block = 0u; block < group->blocks[KIND].count; ++block) TEST(KIND, block);
 
 static void LEVEL(closest_hits)(Scene scene, const global Group *group, PacketRays *packet, PacketHits *hits) {
-#define TEST(kind, block) LEAF_CLOSEST_HITS(scene, group, kind, block, packet, hits)
+#define TEST(kind, block) LEAF_CLOSEST_HITS(scene, group, kind, block, ALL_ROWS, packet, hits)
     LEVEL_KINDS(FOR_EACH_BLOCK)
 #undef TEST
 }
 
 static void LEVEL(end_occluded)(Scene scene, const global Group *group, PacketRays *packet) {
-#define TEST(kind, block) LEAF_ENDS_RAYS(scene, group, kind, block, packet)
+#define TEST(kind, block) LEAF_ENDS_RAYS(scene, group, kind, block, ALL_ROWS, packet)
     LEVEL_KINDS(FOR_EACH_BLOCK)
 #undef TEST
 }

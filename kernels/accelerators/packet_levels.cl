@@ -6,24 +6,21 @@ FUNCTION PacketHits scene_closest_hits(Scene scene, const Packet *packet) {
     const global Group *world = &scene.header->world;
     PacketHits closest = packet_without_hits(packet, world->extent);
     for (uint axis = 0u; axis < 3u; ++axis) {
-        const int16 lanes = packet_lanes(packet, axis);
-        if (mask_bits(lanes) == 0u) continue;
-        PacketRays rays = packet_rays(packet, axis, world->extent, lanes);
+        if (!any_along(packet, axis)) continue;
+        PacketRays rays = packet_rays(packet, axis, world->extent);
         world_closest_hits(scene, world, &rays, &closest);
     }
     return closest;
 }
 
-/// The packet's rays that meet something before their t_max.
-FUNCTION int16 scene_occluded(Scene scene, const Packet *packet) {
+/// Bits of the rays of each row that meet something before their t_max.
+FUNCTION void scene_occluded(Scene scene, const Packet *packet, uint *occluded) {
     const global Group *world = &scene.header->world;
-    int16 occluded = (int16)(0);
+    FOR_EACH_ROW(r) occluded[r] = 0u;
     for (uint axis = 0u; axis < 3u; ++axis) {
-        const int16 lanes = packet_lanes(packet, axis);
-        if (mask_bits(lanes) == 0u) continue;
-        PacketRays rays = packet_rays(packet, axis, world->extent, lanes);
+        if (!any_along(packet, axis)) continue;
+        PacketRays rays = packet_rays(packet, axis, world->extent);
         world_end_occluded(scene, world, &rays);
-        occluded |= lanes & (rays.rays.t_max < 0.0f);
+        FOR_EACH_ROW(r) occluded[r] |= mask_bits(lanes_along(&packet->rows[r], axis) & (rays.rows[r].t_max < 0.0f));
     }
-    return occluded;
 }

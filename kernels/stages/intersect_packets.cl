@@ -1,25 +1,35 @@
-// Closest hits of a list of rays in packets of 16 neighbours: for rays that stay together. Same bits as intersect.
+// Closest hits of a list of rays in packets of neighbours: for rays that stay together. Same bits as intersect.
+#define ROWS 4u
 #include "generated/instances.cl"
 #include "kernels/accelerators/packet_levels.cl"
 
-FUNCTION void store_hits(global Hit *hits, uint count, PacketHits closest) {
+FUNCTION void store_hits(global Hit *hits, uint count, RowHits closest) {
     const float16 columns[4] = {closest.t, closest.u, closest.v, as_float16(closest.primitive)};
     float16 rows[4];
     transpose_fields(columns, rows);
-    float4 hit[PACKET];
+    float4 hit[ROW];
     for (uint r = 0u; r < 4u; ++r) hit[r] = rows[r].s0123, hit[4u + r] = rows[r].s4567, hit[8u + r] = rows[r].s89ab, hit[12u + r] = rows[r].scdef;
     for (uint j = 0u; j < count; ++j) vstore4(hit[j], j, (global float *)hits);
 }
 
-FUNCTION void store_instances(global uint *instances, uint count, PacketHits closest) {
-    uint instance[PACKET];
+FUNCTION void store_instances(global uint *instances, uint count, RowHits closest) {
+    uint instance[ROW];
     vstore16(closest.primitive == (uint16)(NO_HIT) ? (uint16)(0u) : closest.instance, 0, instance);
     for (uint j = 0u; j < count; ++j) store_instance(instances, j, instance[j]);
 }
 
-FUNCTION void store_crowded(global uchar *crowded, uint count, PacketHits closest) {
+FUNCTION void store_crowded(global uchar *crowded, uint count, RowHits closest) {
     const uint bits = mask_bits((closest.primitive != (uint16)(NO_HIT)) & (closest.next <= closest.t + closest.margin));
     for (uint j = 0u; j < count; ++j) crowded[j] = bits >> j & 1u;
+}
+
+FUNCTION void count_rays(const Row *rays, const RowHits *closest, Tally *tally) {
+    const int16 here = rays->t_max >= 0.0f, hit = closest->primitive != (uint16)(NO_HIT);
+    for (uint kind = 0u; kind < RAY_KINDS; ++kind) {
+        const int16 of_kind = here & ((rays->tag & 3) == (int16)((int)kind));
+        tally->rays[kind] += popcount(mask_bits(of_kind));
+        tally->hits[kind] += popcount(mask_bits(of_kind & hit));
+    }
 }
 
 /// hits[i] is the closest hit of ray live[first + i]; a hit beyond t_max or none has primitive NO_HIT. One tally per work-item.
@@ -33,15 +43,12 @@ kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
     for (uint begin = get_global_id(0) * ITEMS_PER_WORK_ITEM; begin < end; begin += PACKET) {
         const Packet packet = packet_of(rays, live + first, begin, end, sources, 0u);
         const PacketHits closest = scene_closest_hits(scene, &packet);
-        const uint rays_here = min(PACKET, end - begin);
-        store_hits(hits + begin, rays_here, closest);
-        if (INSTANCES) store_instances(instances + begin, rays_here, closest);
-        if (INTERIOR_SIZE > 0u) store_crowded(crowded + begin, rays_here, closest);
-        const int16 here = packet.t_max >= 0.0f, hit = closest.primitive != (uint16)(NO_HIT);
-        for (uint kind = 0u; kind < RAY_KINDS; ++kind) {
-            const int16 of_kind = here & ((packet.tag & 3) == (int16)((int)kind));
-            tally.rays[kind] += popcount(mask_bits(of_kind));
-            tally.hits[kind] += popcount(mask_bits(of_kind & hit));
+        FOR_EACH_ROW(r) {
+            const uint start = begin + r * ROW, rays_here = rays_of_row(r, begin, end);
+            store_hits(hits + start, rays_here, closest.rows[r]);
+            if (INSTANCES) store_instances(instances + start, rays_here, closest.rows[r]);
+            if (INTERIOR_SIZE > 0u) store_crowded(crowded + start, rays_here, closest.rows[r]);
+            count_rays(&packet.rows[r], &closest.rows[r], &tally);
         }
     }
     tallies[get_global_id(0)] = tally;

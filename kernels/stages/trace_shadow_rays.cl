@@ -1,4 +1,4 @@
-// Visibility along shadow rays, in packets of 16 neighbours: the rays of a row go to one light.
+// Visibility along shadow rays, in packets of neighbours: the rays of a row go to one light.
 #include "kernels/accelerators/packet_levels.cl"
 
 /// Work-items (chunk, row). Row r's rays are live[r * stride ...], counts[r] of them, each an index into `rays` and `visible`; visible[k]
@@ -15,9 +15,13 @@ kernel void trace_shadow_rays(SCENE_PARAMS, const global uint *restrict live, co
     for (uint begin = get_global_id(0) * ITEMS_PER_WORK_ITEM; begin < end; begin += PACKET) {
         const Packet packet = packet_of(rays, list, begin, end, instances, row * stride);
         tally.rays[RAY_SHADOW] += min(PACKET, end - begin);
-        for (uint bits = mask_bits(scene_occluded(scene, &packet)); bits != 0u; bits &= bits - 1u) {
-            visible[list[begin + lowest_bit(bits)]] = 0;
-            tally.hits[RAY_SHADOW] += 1u;
+        uint occluded[ROWS];
+        scene_occluded(scene, &packet, occluded);
+        FOR_EACH_ROW(r) {
+            for (uint bits = occluded[r]; bits != 0u; bits &= bits - 1u) {
+                visible[list[begin + r * ROW + lowest_bit(bits)]] = 0;
+                tally.hits[RAY_SHADOW] += 1u;
+            }
         }
     }
     tallies[get_global_id(0) + get_global_size(0) * row] = tally;
