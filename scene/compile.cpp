@@ -4,6 +4,7 @@
 
 #include "scene/bsdfs/bsdf.h"
 #include "scene/compilation/parts.h"
+#include "scene/compilation/sizes.h"
 #include "scene/lights/light.h"
 
 namespace brandung {
@@ -33,6 +34,7 @@ CompiledScene compile(const Scene &scene, const CompileOptions &options) {
     add_primitives(scene, options, compiled, arena);
     add_materials(scene, compiled, arena);
     add_lights(scene, compiled, arena);
+    expect_to_fit(scene, compiled, options.limit);
     if (options.kinds == Kinds::all) use_everything(scene, compiled);
     compiled.filter = scene.film.filter;
     compiled.sampler = scene.film.sampler;

@@ -20,7 +20,9 @@ FUNCTION void scene_occluded(Scene scene, const Packet *packet, uint *occluded) 
     for (uint axis = 0u; axis < 3u; ++axis) {
         if (!any_along(packet, axis)) continue;
         PacketRays rays = packet_rays(packet, axis, world->extent);
+        uint alive[ROWS];
+        FOR_EACH_ROW(r) alive[r] = mask_bits(rays.rows[r].t_max >= 0.0f);
         world_end_occluded(scene, world, &rays);
-        FOR_EACH_ROW(r) occluded[r] |= mask_bits(lanes_along(&packet->rows[r], axis) & (rays.rows[r].t_max < 0.0f));
+        FOR_EACH_ROW(r) occluded[r] |= alive[r] & mask_bits(rays.rows[r].t_max < 0.0f);
     }
 }

@@ -48,16 +48,13 @@ FUNCTION PacketInterval packet_interval(float4 largest, float pad) {
     return interval;
 }
 
-FUNCTION int16 are_numbers(vec3x16 v) { return (v.x == v.x) & (v.y == v.y) & (v.z == v.z); }
-
-/// The pad is twice that of the rays' own box test, which makes up for the rounding of both. Rays with a NaN meet nothing, and must not hide the
-/// bounds of others.
+/// The pad is twice that of the rays' own box test, which makes up for the rounding of both.
 FUNCTION void bound_rays(PacketRays *packet) {
     const float16 none = (float16)(-INFINITY);
     float16 back[3] = {none, none, none}, forth[3] = {none, none, none}, below[3] = {none, none, none}, above[3] = {none, none, none}, pads = none;
     FOR_EACH_ROW(r) {
         const ray_x16 *ray = &packet->rows[r];
-        const int16 alive = (ray->t_max >= 0.0f) & are_numbers(ray->origin) & are_numbers(ray->inverse);
+        const int16 alive = ray->t_max >= 0.0f;
 #define BOUND(axis, component)                                                 \
     back[axis] = maximum(back[axis], alive ? -ray->inverse.component : none);  \
     forth[axis] = maximum(forth[axis], alive ? ray->inverse.component : none); \

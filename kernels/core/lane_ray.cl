@@ -33,11 +33,14 @@ FUNCTION real axis_of(real3 v, uint axis) { return axis == 0u ? v.x : axis == 1u
 /// By which boxes are grown: more than any rounding error of a crossing. `extent`: largest magnitude of a coordinate in the scene.
 FUNCTION real box_pad(real3 origin, float extent) { return 0x1p-20f * (largest(absolute(origin)) + extent); }
 
-/// kz must be an axis of the largest component of every direction.
+FUNCTION mask are_finite(real3 v) { return fma(v.x, 0.0f, fma(v.y, 0.0f, v.z * 0.0f)) == 0.0f; }
+
+/// kz must be an axis of the largest component of every direction. Rays with anything but finite numbers meet nothing: they end before they begin,
+/// because comparisons with what comes of them would let them into every box.
 FUNCTION LaneRay lane_ray(real3 origin, real3 direction, real t_max, uint kz, mask source, float extent) {
     LaneRay ray;
     ray.inverse_square = 1.0f / dot3(direction, direction);
-    ray.origin = origin, ray.direction = direction, ray.t_max = t_max, ray.source = source;
+    ray.origin = origin, ray.direction = direction, ray.source = source;
     ray.pad = box_pad(origin, extent);
     // A component of 0 would give 0 · ∞; 2^-60 of the largest one moves no ray by a rounding error.
     const real tiny = 0x1p-60f * largest(absolute(direction));
@@ -45,13 +48,14 @@ FUNCTION LaneRay lane_ray(real3 origin, real3 direction, real t_max, uint kz, ma
                           where(fabs(direction.y) < tiny, copysign(tiny, direction.y), direction.y),
                           where(fabs(direction.z) < tiny, copysign(tiny, direction.z), direction.z));
     ray.inverse = make3(1.0f / d.x, 1.0f / d.y, 1.0f / d.z);
+    ray.t_max = where(are_finite(origin) & are_finite(direction) & are_finite(ray.inverse), t_max, -1.0f);
     const real3 pads = make3(ray.pad, ray.pad, ray.pad);
     ray.shift_low = negate(times(plus(origin, pads), ray.inverse));
     ray.shift_high = negate(times(minus(origin, pads), ray.inverse));
     ray.kz = kz, ray.kx = kz == 2u ? 0u : kz + 1u, ray.ky = kz == 0u ? 2u : kz - 1u;
     ray.turned_origin = make3(axis_of(origin, ray.kx), axis_of(origin, ray.ky), axis_of(origin, ray.kz));
     const real z = axis_of(direction, ray.kz);
-    ray.shear = make3(axis_of(direction, ray.kx) / z, axis_of(direction, ray.ky) / z, 1.0f / z);
+    ray.shear = make3(axis_of(direction, ray.kx) / z, axis_of(direction, ray.ky) / z, axis_of(ray.inverse, ray.kz));
     return ray;
 }
 

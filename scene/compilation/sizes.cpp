@@ -12,6 +12,8 @@ namespace {
 
 std::string mebibytes(std::size_t bytes) { return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1 << 20)); }
 
+std::string limit_text(const ArenaLimit &limit) { return fmt::format("one allocation of '{}' takes {} at most", limit.device, mebibytes(limit.bytes)); }
+
 }  // namespace
 
 LeastSizes least_sizes(const Scene &scene) {
@@ -32,9 +34,16 @@ LeastSizes least_sizes(const Scene &scene) {
 
 void expect_to_fit(const Scene &scene, const LeastSizes &sizes, const ArenaLimit &limit) {
     if (sizes.all() <= limit.bytes) return;
-    throw SceneError(fmt::format("{}: {} primitives take at least {} ({} of blocks, {} of shading records); one allocation of '{}' takes {} at most",
-                                 scene.file, sizes.primitives, mebibytes(sizes.all()), mebibytes(sizes.blocks), mebibytes(sizes.shading),
-                                 limit.device, mebibytes(limit.bytes)));
+    throw SceneError(fmt::format("{}: {} primitives take at least {} ({} of blocks, {} of shading records); {}", scene.file, sizes.primitives,
+                                 mebibytes(sizes.all()), mebibytes(sizes.blocks), mebibytes(sizes.shading), limit_text(limit)));
+}
+
+void expect_to_fit(const Scene &scene, const CompiledScene &compiled, const ArenaLimit &limit) {
+    const std::size_t all = compiled.arena.size(), counted = compiled.block_bytes + compiled.node_bytes + compiled.shading_bytes;
+    if (all <= limit.bytes) return;
+    throw SceneError(fmt::format("{}: {} primitives and {} instances take {} ({} of blocks, {} of nodes, {} of shading records, {} of others); {}",
+                                 scene.file, compiled.primitive_count, compiled.instance_count, mebibytes(all), mebibytes(compiled.block_bytes),
+                                 mebibytes(compiled.node_bytes), mebibytes(compiled.shading_bytes), mebibytes(all - counted), limit_text(limit)));
 }
 
 }  // namespace brandung

@@ -17,5 +17,7 @@ LeastSizes least_sizes(const Scene &scene);
 
 /// Throws SceneError, with the sizes.
 void expect_to_fit(const Scene &scene, const LeastSizes &sizes, const ArenaLimit &limit);
+/// The same when all records have been made: nodes and instances can be what is too much.
+void expect_to_fit(const Scene &scene, const CompiledScene &compiled, const ArenaLimit &limit);
 
 }  // namespace brandung

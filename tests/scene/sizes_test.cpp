@@ -53,7 +53,7 @@ TEST(Sizes, GroupsCountOnceAndOnlyIfTheyAreUsed) {
     EXPECT_EQ(least_sizes(scene).all(), alone.all());
 }
 
-TEST(Sizes, WhatNoAllocationHoldsIsRefusedBeforeItIsBuilt) {
+TEST(Sizes, WhatNoAllocationHoldsIsRefusedBeforeItIsBuiltIfItsPrimitivesAlreadyAreTooMuch) {
     Scene scene = empty_scene();
     scene.file = "balls.nff";
     for (uint i = 0; i < 9; ++i) add_sphere(scene, 0, vec3(float(i)), 1);
@@ -66,8 +66,14 @@ TEST(Sizes, WhatNoAllocationHoldsIsRefusedBeforeItIsBuilt) {
               "balls.nff: 9 primitives take at least 0.0 MiB (0.0 MiB of blocks, 0.0 MiB of shading records); one allocation of 'slide rule' takes "
               "0.0 MiB at most");
     EXPECT_FALSE(builds);
-    EXPECT_EQ(error_of([&] { compile_within(needed); }), "");
+    const std::size_t all = compile(scene).arena.size();
+    ASSERT_GT(all, needed);
+    for (const std::size_t too_little : {needed, all - 1})
+        EXPECT_EQ(error_of([&] { compile_within(too_little); }),
+                  "balls.nff: 9 primitives and 0 instances take 0.0 MiB (0.0 MiB of blocks, 0.0 MiB of nodes, 0.0 MiB of shading records, 0.0 MiB of "
+                  "others); one allocation of 'slide rule' takes 0.0 MiB at most");
     EXPECT_TRUE(builds);
+    EXPECT_EQ(error_of([&] { compile_within(all); }), "");
 }
 
 /// Stands for more primitives than a test can make.
