@@ -73,14 +73,23 @@ void set_child(BvhNode &node, uint slot, const KindBox &box, uint word) {
     }
 }
 
+/// That of a ray to a node or leaf, if it meets all boxes on it and visits the children in the worst order.
+struct Way {
+    uint levels = 0;   ///< nodes that it comes through
+    uint pending = 0;  ///< children of these that still wait
+
+    Way to_child(uint children) const { return {levels + 1, pending + children - 1}; }
+    Way or_longer(const Way &other) const { return {std::max(levels, other.levels), std::max(pending, other.pending)}; }
+};
+
 /// Wide nodes below one node of the binary tree, depth first, so that what is near in space is near in memory. Words of children number nodes and
 /// blocks from this piece's first on.
 class Piece {
 public:
-    Piece(const BinaryTree &tree, uint root, uint pending) : tree_(tree), root_(root), pending_(pending) {}
+    Piece(const BinaryTree &tree, uint root, Way way) : tree_(tree), root_(root), way_(way) {}
 
     void build(BuildProgress &progress) {
-        word = tree_.cuts[root_].is_leaf && root_ != 0 ? add_block(root_) : add_node(root_, pending_);
+        word = tree_.cuts[root_].is_leaf && root_ != 0 ? add_block(root_) : add_node(root_, way_);
         std::uint64_t references = 0;
         for (const auto &of_kind : blocks)
             for (const PrimitiveBlock &block : of_kind) references += block.count;
@@ -90,19 +99,19 @@ public:
     uint word;  ///< of its root
     std::vector<BvhNode> nodes;
     std::array<std::vector<PrimitiveBlock>, MAX_PRIMITIVE_KINDS> blocks;
-    uint stack_entries = 1;  ///< that a ray needs if it meets all boxes and visits the children in the worst order
+    Way longest;  ///< to the children of its nodes
 
 private:
-    /// `pending`: entries on the stack of a ray that arrives here.
-    uint add_node(uint index, uint pending) {
+    /// `way`: to this node.
+    uint add_node(uint index, Way way) {
         const Children children = children_of(tree_, index);
         const uint place = uint(nodes.size());
         nodes.push_back(empty_node());
-        pending += children.count - 1;
-        stack_entries = std::max(stack_entries, pending + 1);
+        way = way.to_child(children.count);
+        longest = longest.or_longer(way);
         for (uint slot = 0; slot < children.count; ++slot) {
             const uint child = children.nodes[slot];
-            const uint word = tree_.cuts[child].is_leaf ? add_block(child) : add_node(child, pending);
+            const uint word = tree_.cuts[child].is_leaf ? add_block(child) : add_node(child, way);
             set_child(nodes[place], slot, tree_.nodes.nodes[child].box, word);
         }
         return place;
@@ -125,20 +134,21 @@ private:
     }
 
     const BinaryTree &tree_;
-    uint root_, pending_;
+    uint root_;
+    Way way_;
 };
 
 /// The top of the tree, and pieces of it below, which are built in parallel. Everything gets the number that it would have in one piece.
 class Collapse {
 public:
     Collapse(const Bvh2 &tree, BuildProgress &progress) : tree_{tree, cut_tree(tree)} {
-        list_pieces(0, 0);
+        list_pieces(0, {});
         tbb::parallel_for(
             size_t(0), pieces_.size(), [&](size_t i) { pieces_[i].build(progress); }, tbb::simple_partitioner());
-        for (const Piece &piece : pieces_) stack_entries_ = std::max(stack_entries_, piece.stack_entries);
+        for (const Piece &piece : pieces_) longest_ = longest_.or_longer(piece.longest);
     }
 
-    uint stack_entries() const { return stack_entries_; }
+    bool fits_traversal() const { return longest_.levels <= BVH_LEVELS && longest_.pending < BVH_PENDING; }
 
     BuiltAccelerator join() {
         add(0);
@@ -163,15 +173,15 @@ private:
 
     bool is_piece(uint index) const { return tree_.nodes.nodes[index].count <= piece_size; }
 
-    void list_pieces(uint index, uint pending) {
+    void list_pieces(uint index, Way way) {
         if (is_piece(index)) {
-            pieces_.emplace_back(tree_, index, pending);
+            pieces_.emplace_back(tree_, index, way);
             return;
         }
         const Children children = children_of(tree_, index);
-        pending += children.count - 1;
-        stack_entries_ = std::max(stack_entries_, pending + 1);
-        for (uint slot = 0; slot < children.count; ++slot) list_pieces(children.nodes[slot], pending);
+        way = way.to_child(children.count);
+        longest_ = longest_.or_longer(way);
+        for (uint slot = 0; slot < children.count; ++slot) list_pieces(children.nodes[slot], way);
     }
 
     /// In the same order. Gives the word.
@@ -209,7 +219,8 @@ private:
     std::vector<Firsts> firsts_;                 ///< of the pieces
     std::vector<std::pair<uint, BvhNode>> top_;  ///< nodes above them, by place
     std::array<uint, MAX_PRIMITIVE_KINDS> block_counts_{};
-    uint node_count_ = 0, stack_entries_ = 1;
+    uint node_count_ = 0;
+    Way longest_;
 };
 
 BuiltAccelerator build_empty() {
@@ -235,7 +246,7 @@ BuiltAccelerator build_wide_bvh(std::span<const Reference> references, const Hul
     for (uint slack = most_slack;; slack /= 2) {
         const Bvh2 tree = build_binary(references, quality, slack, progress);
         Collapse collapse(tree, progress);
-        if (collapse.stack_entries() <= BVH_PENDING) return collapse.join();
+        if (collapse.fits_traversal()) return collapse.join();
         if (slack == 0) throw SceneError(fmt::format("wide_bvh: {} primitives need a deeper stack than the traversal has", references.size()));
     }
 }

@@ -62,7 +62,7 @@ Scene everything() {
 std::map<std::string, std::string> expanded(const Scene &scene) {
     std::map<std::string, std::string> texts;
     const CompiledScene compiled = compile(scene);
-    const Sources lists = specialize(compiled);
+    const Sources lists = specialize(compiled, lanes);
     const auto renders = [&](const EmbeddedFile &file) {
         return file.text.find("\nkernel void ") != std::string_view::npos && !file.path.starts_with("kernels/selftest/") &&
                !file.path.starts_with("kernels/bench/") &&

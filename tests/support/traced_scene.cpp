@@ -43,9 +43,9 @@ Ray make_ray(vec3 origin, vec3 direction, float t_max, uint kind) {
 TracedScene::TracedScene(Scene &scene, const std::string &accelerator)
     : compiled_(compile_with(scene, accelerator)), on_device_(test_device(), compiled_) {}
 
-std::vector<Hit> TracedScene::closest_hits(const std::string &stage, const std::vector<Ray> &rays) {
+std::vector<Hit> TracedScene::closest_hits(const Traversal &traversal, const std::vector<Ray> &rays) {
     Device &device = test_device();
-    Kernel kernel(device, "kernels/stages/" + stage + ".cl", stage, on_device_.lists());
+    Kernel kernel = traversal_kernel(device, traversal, &Traversal::closest_hit, compiled_);
     const Buffer<Ray> ray_buffer(device, rays);
     const Buffer<uint> live(device, live_list(rays.size()));
     const Buffer<Hit> hits(device, rays.size());
@@ -59,9 +59,9 @@ std::vector<Hit> TracedScene::closest_hits(const std::string &stage, const std::
     return hits.read();
 }
 
-std::vector<std::uint8_t> TracedScene::visible(const std::string &stage, const std::vector<Ray> &rays) {
+std::vector<std::uint8_t> TracedScene::visible(const Traversal &traversal, const std::vector<Ray> &rays) {
     Device &device = test_device();
-    Kernel kernel(device, "kernels/stages/" + stage + ".cl", stage, on_device_.lists());
+    Kernel kernel = traversal_kernel(device, traversal, &Traversal::any_hit, compiled_);
     const Buffer<Ray> ray_buffer(device, rays);
     std::vector<uint> all(rays.size());
     std::iota(all.begin(), all.end(), 0u);
@@ -79,14 +79,8 @@ std::vector<std::uint8_t> TracedScene::visible(const std::string &stage, const s
 std::vector<Traversal> TracedScene::traversals() const {
     std::vector<Traversal> available;
     for (const Traversal &traversal : brandung::traversals())
-        if (is_available(traversal, test_device(), compiled_)) available.push_back(traversal);
+        if (is_available(traversal, test_device().info(), *compiled_.accelerator)) available.push_back(traversal);
     return available;
-}
-
-std::vector<std::string> TracedScene::shadow_stages() const {
-    std::vector<std::string> stages;
-    for (const Traversal &traversal : traversals()) stages.emplace_back(traversal.any_hit);
-    return stages;
 }
 
 std::vector<Surface> TracedScene::surfaces(const std::vector<Ray> &rays, const std::vector<Hit> &hits, const std::vector<uint> &instances) {
