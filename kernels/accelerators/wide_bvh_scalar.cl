@@ -25,7 +25,7 @@ FUNCTION uint LEVEL(children_met)(const global BvhNode *node, const ray_x1 *ray,
 
 static void LEVEL(closest_hit)(Scene scene, const global Group *group, ray_x1 *ray, Nearest *nearest) {
     const global BvhNode *nodes = RECORDS(scene, BvhNode, group->nodes);
-    ulong stack[BVH_LEVELS];
+    ulong stack[BVH_LEVELS - 1u];
     uint size = 0u, current = 0u, children = BVH_ALL_CHILDREN;
     COUNT(ray, steps, 1u);
     for (;;) {
@@ -53,7 +53,7 @@ static void LEVEL(closest_hit)(Scene scene, const global Group *group, ray_x1 *r
 /// which is the last one: it is the likeliest to be hit soon for its cost.
 static bool LEVEL(any_hit)(Scene scene, const global Group *group, const ray_x1 *ray, HitList *list) {
     const global BvhNode *nodes = RECORDS(scene, BvhNode, group->nodes);
-    ulong stack[BVH_LEVELS];
+    ulong stack[BVH_LEVELS - 1u];
     uint size = 0u, current = 0u, nearest;
     COUNT(ray, steps, 1u);
     uint children = LEVEL(children_met)(nodes, ray, BVH_ALL_CHILDREN, &nearest);

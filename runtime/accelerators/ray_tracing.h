@@ -64,9 +64,9 @@ private:
     Device &device_;
     const CompiledScene &compiled_;
     const DeviceScene &scene_;
-    const Traversal &together_, &apart_;  ///< of a render, for rays that stay together and that do not
+    const Traversal &together_, &apart_;                            ///< of a render, for rays that stay together and that do not
     std::map<std::pair<std::string, std::string>, Kernel> stages_;  ///< that were needed so far, by names of traversal and kernel
-    std::map<std::string, Kernel> counters_;                         ///< by name
+    std::map<std::string, Kernel> counters_;                        ///< by name
     Buffer<Ray> rays_;
     Buffer<uint> sources_, live_, counts_;
     Buffer<Hit> hits_;

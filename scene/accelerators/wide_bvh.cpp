@@ -1,13 +1,15 @@
 /// Collapses the binary hierarchy to nodes with 8 children.
-#include "kernels/accelerators/wide_bvh.h"
+#include "scene/accelerators/wide_bvh.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
+#include "kernels/core/items.h"
 #include "scene/accelerators/bvh2.h"
 #include "scene/accelerators/reinsertion.h"
 #include "scene/accelerators/wide_cut.h"
@@ -17,6 +19,7 @@ namespace brandung {
 namespace {
 
 constexpr uint most_slack = 16;
+static_assert(std::bit_width(MAX_PRIMITIVES - 1) <= BVH_LEVELS, "a balanced tree over all that have numbers is not too deep");
 constexpr uint piece_size = 16384;         ///< references of a subtree that is one task
 constexpr uint high_smallest_divided = 5;  ///< for quality high; offering smaller blocks in pieces gains next to nothing
 
@@ -75,11 +78,11 @@ void set_child(BvhNode &node, uint slot, const KindBox &box, uint word) {
 
 /// That of a ray to a node or leaf, if it meets all boxes on it and visits the children in the worst order.
 struct Way {
-    uint levels = 0;   ///< nodes that it comes through
-    uint pending = 0;  ///< children of these that still wait
+    uint levels = 0;         ///< nodes that it comes through
+    uint stack_entries = 1;  ///< children of these that still wait, and where it leads
 
-    Way to_child(uint children) const { return {levels + 1, pending + children - 1}; }
-    Way or_longer(const Way &other) const { return {std::max(levels, other.levels), std::max(pending, other.pending)}; }
+    Way to_child(uint children) const { return {levels + 1, stack_entries + children - 1}; }
+    Way or_longer(const Way &other) const { return {std::max(levels, other.levels), std::max(stack_entries, other.stack_entries)}; }
 };
 
 /// Wide nodes below one node of the binary tree, depth first, so that what is near in space is near in memory. Words of children number nodes and
@@ -148,7 +151,7 @@ public:
         for (const Piece &piece : pieces_) longest_ = longest_.or_longer(piece.longest);
     }
 
-    bool fits_traversal() const { return longest_.levels <= BVH_LEVELS && longest_.pending < BVH_PENDING; }
+    bool fits(const WideBvhLimits &limits) const { return longest_.levels <= limits.levels && longest_.stack_entries <= limits.pending; }
 
     BuiltAccelerator join() {
         add(0);
@@ -238,7 +241,8 @@ Bvh2 build_binary(std::span<const Reference> references, BuildQuality quality, u
 
 }  // namespace
 
-BuiltAccelerator build_wide_bvh(std::span<const Reference> references, const Hulls &, BuildQuality quality, BuildProgress &progress) {
+BuiltAccelerator build_wide_bvh_within(const WideBvhLimits &limits, std::span<const Reference> references, BuildQuality quality,
+                                       BuildProgress &progress) {
     if (references.empty()) return build_empty();
     // The binary tree, rounds of changes to it, and its collapse.
     progress.begin((quality == BuildQuality::high ? 2 + reinsertion_rounds : 2) * references.size());
@@ -246,9 +250,13 @@ BuiltAccelerator build_wide_bvh(std::span<const Reference> references, const Hul
     for (uint slack = most_slack;; slack /= 2) {
         const Bvh2 tree = build_binary(references, quality, slack, progress);
         Collapse collapse(tree, progress);
-        if (collapse.fits_traversal()) return collapse.join();
+        if (collapse.fits(limits)) return collapse.join();
         if (slack == 0) throw SceneError(fmt::format("wide_bvh: {} primitives need a deeper stack than the traversal has", references.size()));
     }
+}
+
+BuiltAccelerator build_wide_bvh(std::span<const Reference> references, const Hulls &, BuildQuality quality, BuildProgress &progress) {
+    return build_wide_bvh_within({}, references, quality, progress);
 }
 
 }  // namespace brandung

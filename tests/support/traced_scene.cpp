@@ -1,6 +1,7 @@
 #include "tests/support/traced_scene.h"
 
 #include <numeric>
+#include <utility>
 
 #include "tests/support/probe.h"
 
@@ -40,8 +41,9 @@ Ray make_ray(vec3 origin, vec3 direction, float t_max, uint kind) {
     return {.origin = origin, .t_max = t_max, .direction = direction, .tag = RAY_TAG(kind, NO_HIT)};
 }
 
-TracedScene::TracedScene(Scene &scene, const std::string &accelerator)
-    : compiled_(compile_with(scene, accelerator)), on_device_(test_device(), compiled_) {}
+TracedScene::TracedScene(Scene &scene, const std::string &accelerator) : TracedScene(compile_with(scene, accelerator)) {}
+
+TracedScene::TracedScene(CompiledScene compiled) : compiled_(std::move(compiled)), on_device_(test_device(), compiled_) {}
 
 std::vector<Hit> TracedScene::closest_hits(const Traversal &traversal, const std::vector<Ray> &rays) {
     Device &device = test_device();

@@ -19,6 +19,7 @@ class TracedScene {
 public:
     /// Sets the scene's accelerator.
     TracedScene(Scene &scene, const std::string &accelerator);
+    explicit TracedScene(CompiledScene compiled);
 
     /// By stages/intersect.cl, one ray after another.
     std::vector<Hit> closest_hits(const std::vector<Ray> &rays) { return closest_hits(traversals().back(), rays); }
