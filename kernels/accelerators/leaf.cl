@@ -7,7 +7,7 @@
 #include "kernels/core/items.cl"
 #include "kernels/core/scene.cl"
 
-/// The first primitives of those of a block that are tested at a time; its numbers tell where a block ends.
+/// As many primitives of a block as are tested at a time, from number `first` in it on; NO_HIT among the numbers ends a block.
 #define FOR_EACH_PART(first, numbers) \
     for (uint first = 0u; first < BLOCK_SIZE && (SINGLE_LANES == BLOCK_SIZE || (numbers)[first] != NO_HIT); first += SINGLE_LANES)
 

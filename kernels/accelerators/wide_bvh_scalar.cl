@@ -49,8 +49,8 @@ static void LEVEL(closest_hit)(Scene scene, const global Group *group, ray_x1 *r
     }
 }
 
-/// Adds all hits up to the ray's t_max to the list; without a list, tells whether there is any. The child with the fewest primitives is visited first,
-/// which is the last one: it is the likeliest to be hit soon for its cost.
+/// Adds all hits up to the ray's t_max to the list; without a list, tells whether there is any. The child with the fewest primitives is visited
+/// first, which is the last one: it is the likeliest to be hit soon for its cost.
 static bool LEVEL(any_hit)(Scene scene, const global Group *group, const ray_x1 *ray, HitList *list) {
     const global BvhNode *nodes = RECORDS(scene, BvhNode, group->nodes);
     ulong stack[BVH_LEVELS - 1u];

@@ -111,7 +111,7 @@ private:
 
 void add_closed_meshes(std::vector<SubjectEntry> &list) {
     list.push_back({"closed_meshes", "primitives/triangle_crossing.cl, accelerators/wide_bvh.cl",
-                    "every ray from inside meets one place or more, the same in packets, in turn and alone, of convex meshes one; ambiguous: lists "
+                    "every ray from inside meets one place or more, the same by every traversal, of convex meshes one; ambiguous: lists "
                     "of hits that are full",
                     1, [](Device &device) { return std::make_unique<ClosedMeshes>(device); }});
 }
