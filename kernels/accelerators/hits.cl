@@ -5,7 +5,7 @@
 #include "generated/constants.h"
 #include "generated/instances.cl"
 #include "kernels/accelerators/hit_list.h"
-#include "kernels/core/rays.cl"
+#include "kernels/core/ray_x1.cl"
 
 /// The closest hit so far, and what else was met: where transparent bodies touch, a ray meets faces of both at one place.
 typedef struct {
@@ -20,10 +20,11 @@ typedef struct {
 /// shifts t the more. find_interfaces decides by the faces' errors what does coincide. 0 in scenes without transparent materials.
 #define CROWD_MARGIN (INTERIOR_SIZE > 0u ? 64.0f : 0.0f)
 
-FUNCTION float crowd_margin(const ray_x8 *ray) { return CROWD_MARGIN * ray->pad.s0 / largest(absolute(ray->direction)).s0; }
+FUNCTION float crowd_margin(Ray ray, float extent) { return CROWD_MARGIN * box_pad(ray.origin, extent) / largest(absolute(ray.direction)); }
 
-FUNCTION Nearest nothing_hit(const ray_x8 *ray) {
-    const Nearest nearest = {{ray->t_max.s0, 0.0f, 0.0f, NO_HIT}, INFINITY, crowd_margin(ray), NO_HIT, 0u, 0.0f};
+/// `extent`: of the world.
+FUNCTION Nearest nothing_hit(Ray ray, float extent) {
+    const Nearest nearest = {{ray.t_max, 0.0f, 0.0f, NO_HIT}, INFINITY, crowd_margin(ray, extent), NO_HIT, 0u, 0.0f};
     return nearest;
 }
 
@@ -43,6 +44,19 @@ FUNCTION bool is_hit(uint primitive, const Nearest *nearest) {
 }
 
 FUNCTION PlacedHit closest_of(Nearest nearest) { return placed(nearest.hit, INSTANCES && nearest.hit.primitive != NO_HIT ? nearest.instance : 0u); }
+
+/// A nearer hit, or an equally near one of a primitive of lower number, replaces the closest one.
+FUNCTION void meet(Nearest *nearest, float t, float u, float v, uint primitive) {
+    Hit *hit = &nearest->hit;
+    if (INSTANCES) t = maximum(t, nearest->entry);
+    if (is_before(t, primitive, nearest)) {
+        nearest->next = hit->primitive == NO_HIT ? INFINITY : hit->t;
+        hit->t = t, hit->u = u, hit->v = v, hit->primitive = primitive;
+        if (INSTANCES) nearest->instance = nearest->inside;
+    } else if (!is_hit(primitive, nearest)) {
+        nearest->next = minimum(nearest->next, t);
+    }
+}
 
 /// The first few hits in the order of (t, instance, primitive).
 typedef struct {

@@ -1,14 +1,15 @@
-// Blocks of primitives against one ray, 8 at a time: what every accelerator's leaves call.
+// Blocks of primitives against one ray, as many of a block at a time as the ray has lanes: what every accelerator's leaves call.
 #pragma once
 #include "generated/primitives.cl"
+#include "generated/single_ray.cl"
 #include "kernels/accelerators/hits.cl"
-#include "kernels/accelerators/primitive_hits_8.cl"
 #include "kernels/core/bits.cl"
 #include "kernels/core/items.cl"
 #include "kernels/core/scene.cl"
 
-#define CROSS_BLOCK(KIND, Record, name) \
-    if (kind == KIND) crossing = name##_crossing(RECORDS(scene, Record##Block, group->blocks[KIND]) + block, 0u, *ray);
+/// As many primitives of a block as are tested at a time, from number `first` in it on; NO_HIT among the numbers ends a block.
+#define FOR_EACH_PART(first, numbers) \
+    for (uint first = 0u; first < BLOCK_SIZE && (SINGLE_LANES == BLOCK_SIZE || (numbers)[first] != NO_HIT); first += SINGLE_LANES)
 
 /// Numbers of a block's primitives.
 FUNCTION const global uint *block_numbers(Scene scene, const global Group *group, uint kind, uint block) {
@@ -21,53 +22,57 @@ FUNCTION const global uint *block_numbers(Scene scene, const global Group *group
 }
 
 /// How many there are.
-FUNCTION uint block_size(Scene scene, const global Group *group, uint kind, uint block) {
-    return popcount(mask_bits(*(const global uint8 *)block_numbers(scene, group, kind, block) != (uint8)(NO_HIT)));
+FUNCTION uint block_size(const global uint *numbers) {
+    uint size = 0u;
+    while (size < BLOCK_SIZE && numbers[size] != NO_HIT) ++size;
+    return size;
 }
 
-/// A nearer crossing, or an equally near one of a primitive of lower number, replaces the hit and shortens the ray.
-FUNCTION void block_closest_hit(Scene scene, const global Group *group, uint kind, uint block, ray_x8 *ray, Nearest *nearest) {
-    Hit *hit = &nearest->hit;
-    COUNT(ray, blocks, 1u), COUNT(ray, tests, block_size(scene, group, kind, block));
-    crossing_x8 crossing;
-    crossing.hit = (int8)(0);
-    FOR_EACH_PRIMITIVE(CROSS_BLOCK)
-    uint bits = mask_bits(crossing.hit);
-    if (bits == 0u) return;
-    const global uint *primitive = block_numbers(scene, group, kind, block);
-    float t[8], u[8], v[8];
-    vstore8(INSTANCES ? maximum(crossing.t, (float8)(nearest->entry)) : crossing.t, 0, t);
-    vstore8(crossing.u, 0, u), vstore8(crossing.v, 0, v);
-    for (; bits != 0u; bits &= bits - 1u) {
-        const uint j = lowest_bit(bits);
-        if (is_before(t[j], primitive[j], nearest)) {
-            nearest->next = hit->primitive == NO_HIT ? INFINITY : hit->t;
-            hit->t = t[j], hit->u = u[j], hit->v = v[j], hit->primitive = primitive[j];
-            if (INSTANCES) nearest->instance = nearest->inside;
-        } else if (!is_hit(primitive[j], nearest)) {
-            nearest->next = minimum(nearest->next, t[j]);
+/// Of a part of a block.
+FUNCTION SingleCrossing block_crossing(Scene scene, const global Group *group, uint kind, uint block, uint first, const SingleRay *ray) {
+    SingleCrossing crossing;
+    crossing.hit = 0;
+#define CROSS(KIND, Record, name) \
+    if (kind == KIND) crossing = name##_crossing(RECORDS(scene, Record##Block, group->blocks[KIND]) + block, first, *ray);
+    FOR_EACH_PRIMITIVE(CROSS)
+#undef CROSS
+    return crossing;
+}
+
+/// What is met shortens the ray.
+FUNCTION void block_closest_hit(Scene scene, const global Group *group, uint kind, uint block, SingleRay *ray, Nearest *nearest) {
+    const global uint *numbers = block_numbers(scene, group, kind, block);
+    COUNT(ray, blocks, 1u), COUNT(ray, tests, block_size(numbers));
+    FOR_EACH_PART(first, numbers) {
+        const SingleCrossing crossing = block_crossing(scene, group, kind, block, first, ray);
+        uint bits = mask_bits(crossing.hit);
+        if (bits == 0u) continue;
+        float t[SINGLE_LANES], u[SINGLE_LANES], v[SINGLE_LANES];
+        store_lanes(crossing.t, t), store_lanes(crossing.u, u), store_lanes(crossing.v, v);
+        for (; bits != 0u; bits &= bits - 1u) {
+            const uint j = lowest_bit(bits);
+            meet(nearest, t[j], u[j], v[j], numbers[first + j]);
         }
+        set_t_max(ray, nearest->hit.t + nearest->margin);
     }
-    ray->t_max = (float8)(hit->t + nearest->margin);
 }
 
 /// Adds the block's hits to the list; without a list, tells whether there is any.
-FUNCTION bool block_any_hit(Scene scene, const global Group *group, uint kind, uint block, const ray_x8 *ray, HitList *list) {
-    COUNT(ray, blocks, 1u), COUNT(ray, tests, block_size(scene, group, kind, block));
-    crossing_x8 crossing;
-    crossing.hit = (int8)(0);
-    FOR_EACH_PRIMITIVE(CROSS_BLOCK)
-    uint bits = mask_bits(crossing.hit);
-    if (list == 0 || bits == 0u) return bits != 0u;
-    const global uint *primitive = block_numbers(scene, group, kind, block);
-    float t[8], u[8], v[8];
-    vstore8(INSTANCES ? maximum(crossing.t, (float8)(list->entry)) : crossing.t, 0, t);
-    vstore8(crossing.u, 0, u), vstore8(crossing.v, 0, v);
-    for (; bits != 0u; bits &= bits - 1u) {
-        const uint j = lowest_bit(bits);
-        const Hit hit = {t[j], u[j], v[j], primitive[j]};
-        hit_list_add(list, hit);
+FUNCTION bool block_any_hit(Scene scene, const global Group *group, uint kind, uint block, const SingleRay *ray, HitList *list) {
+    const global uint *numbers = block_numbers(scene, group, kind, block);
+    COUNT(ray, blocks, 1u), COUNT(ray, tests, block_size(numbers));
+    FOR_EACH_PART(first, numbers) {
+        const SingleCrossing crossing = block_crossing(scene, group, kind, block, first, ray);
+        uint bits = mask_bits(crossing.hit);
+        if (bits == 0u) continue;
+        if (list == 0) return true;
+        float t[SINGLE_LANES], u[SINGLE_LANES], v[SINGLE_LANES];
+        store_lanes(crossing.t, t), store_lanes(crossing.u, u), store_lanes(crossing.v, v);
+        for (; bits != 0u; bits &= bits - 1u) {
+            const uint j = lowest_bit(bits);
+            const Hit hit = {INSTANCES ? maximum(t[j], list->entry) : t[j], u[j], v[j], numbers[first + j]};
+            hit_list_add(list, hit);
+        }
     }
     return false;
 }
-#undef CROSS_BLOCK

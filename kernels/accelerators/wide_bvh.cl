@@ -2,25 +2,12 @@
 // Bounding volume hierarchy of 8 children per node: one ray against 8 boxes at a time.
 #include "kernels/accelerators/wide_bvh.h"
 
-#define BVH_STACK (BVH_PENDING + BVH_WIDTH)
+#include "kernels/core/lanes_8.cl"
+#include "kernels/accelerators/wide_bvh_box.cl"
 
-/// Bits of the children whose boxes the ray meets before t_max, and where it enters each (never negative).
-FUNCTION uint LEVEL(children)(const global BvhNode *node, const ray_x8 *ray, float8 *enter) {
-    const vec3x8 inverse = ray->inverse;
-    const bool x = inverse.x.s0 < 0.0f, y = inverse.y.s0 < 0.0f, z = inverse.z.s0 < 0.0f;
-#define PLANE(side, axis) (*(const global float8 *)(side)[axis])
-    const float8 near_x = fma(PLANE(x ? node->high : node->low, 0), inverse.x, x ? ray->shift_high.x : ray->shift_low.x);
-    const float8 near_y = fma(PLANE(y ? node->high : node->low, 1), inverse.y, y ? ray->shift_high.y : ray->shift_low.y);
-    const float8 near_z = fma(PLANE(z ? node->high : node->low, 2), inverse.z, z ? ray->shift_high.z : ray->shift_low.z);
-    const float8 far_x = fma(PLANE(x ? node->low : node->high, 0), inverse.x, x ? ray->shift_low.x : ray->shift_high.x);
-    const float8 far_y = fma(PLANE(y ? node->low : node->high, 1), inverse.y, y ? ray->shift_low.y : ray->shift_high.y);
-    const float8 far_z = fma(PLANE(z ? node->low : node->high, 2), inverse.z, z ? ray->shift_low.z : ray->shift_high.z);
-#undef PLANE
-    const float8 near = maximum(maximum(near_x, near_y), maximum(near_z, (float8)(0.0f)));
-    const float8 far = minimum(minimum(far_x, far_y), minimum(far_z, ray->t_max));
-    *enter = near;
-    return mask_bits(near <= far);
-}
+#include "kernels/core/lanes_1.cl"
+
+#define BVH_STACK (BVH_PENDING + BVH_WIDTH)
 
 /// The stack holds children with the t where the ray enters them, as (bits of t) << 32 | child, farthest first among the children of a node.
 static void LEVEL(closest_hit)(Scene scene, const global Group *group, ray_x8 *ray, Nearest *nearest) {
@@ -32,7 +19,7 @@ static void LEVEL(closest_hit)(Scene scene, const global Group *group, ray_x8 *r
         if ((current & BVH_LEAF) == 0u) {
             const global BvhNode *node = nodes + current;
             float8 enter;
-            uint bits = LEVEL(children)(node, ray, &enter);
+            uint bits = mask_bits(LEVEL(meets_child)(node, 0u, ray, &enter));
             if (bits != 0u) {
                 float t[BVH_WIDTH];
                 vstore8(enter, 0, t);
@@ -73,7 +60,7 @@ static bool LEVEL(any_hit)(Scene scene, const global Group *group, const ray_x8 
         COUNT(ray, steps, 1u), COUNT(ray, cells, (current & BVH_LEAF) != 0u);
         if ((current & BVH_LEAF) == 0u) {
             float8 enter;
-            uint bits = LEVEL(children)(nodes + current, ray, &enter);
+            uint bits = mask_bits(LEVEL(meets_child)(nodes + current, 0u, ray, &enter));
             for (; bits != 0u; bits &= bits - 1u) stack[size++] = nodes[current].child[lowest_bit(bits)];
         } else if (LEAF_ANY_HIT(scene, group, current >> BVH_KIND_SHIFT & 7u, current & BVH_BLOCK, ray, list)) {
             return true;

@@ -11,6 +11,10 @@
 /// Children that wait on the stack of a ray when it arrives at a node, at most; the builder sees to it.
 #define BVH_PENDING 128u
 
+/// Nodes on the way from the root to any other, both among them, at most: no fewer than a balanced tree over all primitives that there can be needs,
+/// so that the builder can always see to it.
+#define BVH_LEVELS 28u
+
 /// 256 bytes. Children are sorted by the number of primitives below them, largest first, empty ones last.
 typedef struct {
     float low[3][BVH_WIDTH], high[3][BVH_WIDTH];

@@ -52,8 +52,7 @@ FUNCTION void begin(const Course *course, Traversal *traversal, Ray ray, uint in
     traversal->near_x = x ? 3u : 0u, traversal->near_y = y ? 4u : 1u, traversal->near_z = z ? 5u : 2u;
     traversal->ray = prepared;
     traversal->current = 0u, traversal->size = 0u;
-    const ray_x8 wide = widened(&prepared);
-    traversal->nearest = nothing_hit(&wide);
+    traversal->nearest = nothing_hit(ray, course->world->extent);
 }
 
 /// Which children of the node the ray meets before t_max, and where it enters them, never negative.

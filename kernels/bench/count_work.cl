@@ -16,10 +16,10 @@ kernel void count_closest_hits(SCENE_PARAMS, uint count, const global Ray *restr
     const global Group *world = &scene.header->world;
     FOR_EACH_ITEM_SERIALLY(i, count) {
         Work work = no_work();
-        ray_x8 lanes = prepare_in_world(world, rays[i], instance_at(sources, i));
-        COUNT_IN(lanes, &work);
-        Nearest nearest = nothing_hit(&lanes);
-        world_closest_hit(scene, world, &lanes, &nearest);
+        SingleRay prepared = prepare_in_world(world, rays[i], instance_at(sources, i));
+        COUNT_IN(prepared, &work);
+        Nearest nearest = nothing_hit(rays[i], world->extent);
+        world_closest_hit(scene, world, &prepared, &nearest);
         hits[i] = nearest.hit;
         store_instance(instances, i, instance_of(closest_of(nearest)));
         works[i] = work;
@@ -33,9 +33,9 @@ kernel void count_shadows(SCENE_PARAMS, uint count, const global Ray *restrict r
     const global Group *world = &scene.header->world;
     FOR_EACH_ITEM_SERIALLY(i, count) {
         Work work = no_work();
-        ray_x8 lanes = prepare_in_world(world, rays[i], instance_at(sources, i));
-        COUNT_IN(lanes, &work);
-        visible[i] = !world_any_hit(scene, world, &lanes, 0);
+        SingleRay prepared = prepare_in_world(world, rays[i], instance_at(sources, i));
+        COUNT_IN(prepared, &work);
+        visible[i] = !world_any_hit(scene, world, &prepared, 0);
         works[i] = work;
     }
 }

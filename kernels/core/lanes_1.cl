@@ -33,5 +33,9 @@
 #include "kernels/core/vec_functions.cl"
 #include "kernels/core/twofold.cl"
 
-FUNCTION uint mask_bits(int m) { return (uint)m; }
+FUNCTION uint mask_bits(int m) { return m != 0; }
+FUNCTION float first_lane(float v) { return v; }
+FUNCTION int first_lane(int v) { return v; }
+FUNCTION vec3 first_lane(vec3 v) { return v; }
+FUNCTION void store_lanes(float v, float *to) { *to = v; }
 #endif

@@ -44,4 +44,8 @@ FUNCTION uint mask_bits(int8 m) {
     return (uint)((as_ulong(convert_char8(m)) & 0x8040201008040201ul) * 0x0101010101010101ul >> 56);
 #endif
 }
+FUNCTION float first_lane(float8 v) { return v.s0; }
+FUNCTION int first_lane(int8 v) { return v.s0; }
+FUNCTION vec3 first_lane(vec3x8 v) { return (vec3){v.x.s0, v.y.s0, v.z.s0}; }
+FUNCTION void store_lanes(float8 v, float *to) { vstore8(v, 0, to); }
 #endif

@@ -1,4 +1,4 @@
-// A ray prepared for tracing in a tenth of the room of a ray_x8: for those who keep several.
+// A ray prepared for tracing in a tenth of the room of a ray_x8: for those who keep several, or have one lane.
 #pragma once
 #include "kernels/core/rays.cl"
 

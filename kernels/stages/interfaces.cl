@@ -49,8 +49,7 @@ FUNCTION HitList hits_at(Scene scene, Ray ray, uint source_instance, PlacedHit c
         list.hits[0] = closest, list.count = 1u;
         return list;
     }
-    const ray_x8 lanes = prepare(ray, scene.header->world.extent);
-    ray.t_max = closest.hit.t + crowd_margin(&lanes);
+    ray.t_max = closest.hit.t + crowd_margin(ray, scene.header->world.extent);
     scene_any_hit(scene, ray, source_instance, &list);
     keep_coincident(scene, ray, &list);
     return list;

@@ -51,9 +51,10 @@ void WorkSums::add(const WorkSums &sums) {
 
 RayTracing::RayTracing(Device &device, const CompiledScene &compiled, const DeviceScene &on_device, uint batch)
     : device_(device),
+      compiled_(compiled),
       scene_(on_device),
-      together_(traversal_of_render(true, device, compiled)),
-      apart_(traversal_of_render(false, device, compiled)),
+      together_(traversal_of_render(true, device.info(), *compiled.accelerator)),
+      apart_(traversal_of_render(false, device.info(), *compiled.accelerator)),
       rays_(device, batch),
       sources_(device, batch),
       live_(device, numbers_up_to(batch)),
@@ -66,16 +67,17 @@ RayTracing::RayTracing(Device &device, const CompiledScene &compiled, const Devi
       tallies_(device, batch),
       batch_(batch) {}
 
-Kernel &RayTracing::stage(const std::string &name) {
-    const auto known = kernels_.find(name);
-    if (known != kernels_.end()) return known->second;
-    return kernels_.emplace(name, Kernel(device_, "kernels/stages/" + name + ".cl", name, scene_.lists())).first->second;
+Kernel &RayTracing::stage(const Traversal &traversal, const char *Traversal::*question) {
+    const std::pair<std::string, std::string> names{traversal.name, traversal.*question};
+    const auto known = stages_.find(names);
+    if (known != stages_.end()) return known->second;
+    return stages_.emplace(names, traversal_kernel(device_, traversal, question, compiled_)).first->second;
 }
 
 Kernel &RayTracing::counter(const std::string &name) {
-    const auto known = kernels_.find(name);
-    if (known != kernels_.end()) return known->second;
-    return kernels_.emplace(name, Kernel(device_, "kernels/bench/count_work.cl", name, counting(scene_.lists()))).first->second;
+    const auto known = counters_.find(name);
+    if (known != counters_.end()) return known->second;
+    return counters_.emplace(name, Kernel(device_, "kernels/bench/count_work.cl", name, counting(scene_.lists()))).first->second;
 }
 
 void RayTracing::take(const RaySpan &rays) {
@@ -101,9 +103,9 @@ TraceSeconds RayTracing::trace(const RaySpan &rays, const Traversal &traversal) 
 void RayTracing::launch(const RaySpan &rays, const Traversal &traversal) {
     const auto count = static_cast<uint>(rays.rays.size());
     if (rays.shadow) {
-        stage(traversal.any_hit)(count, scene_, live_, counts_, batch_, rays_, sources_, visible_, tallies_);
+        stage(traversal, &Traversal::any_hit)(count, scene_, live_, counts_, batch_, rays_, sources_, visible_, tallies_);
     } else {
-        stage(traversal.closest_hit)(count, scene_, live_, 0u, count, rays_, sources_, hits_, instances_, crowded_, tallies_);
+        stage(traversal, &Traversal::closest_hit)(count, scene_, live_, 0u, count, rays_, sources_, hits_, instances_, crowded_, tallies_);
     }
 }
 

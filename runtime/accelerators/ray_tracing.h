@@ -56,15 +56,17 @@ public:
     RayAnswers count(const RaySpan &rays, WorkSums &sums);
 
 private:
-    Kernel &stage(const std::string &name);
+    Kernel &stage(const Traversal &traversal, const char *Traversal::*question);
     Kernel &counter(const std::string &name);
     void take(const RaySpan &rays);
     void launch(const RaySpan &rays, const Traversal &traversal);
 
     Device &device_;
+    const CompiledScene &compiled_;
     const DeviceScene &scene_;
-    const Traversal &together_, &apart_;     ///< of a render, for rays that stay together and that do not
-    std::map<std::string, Kernel> kernels_;  ///< that were needed so far, by name
+    const Traversal &together_, &apart_;                            ///< of a render, for rays that stay together and that do not
+    std::map<std::pair<std::string, std::string>, Kernel> stages_;  ///< that were needed so far, by names of traversal and kernel
+    std::map<std::string, Kernel> counters_;                        ///< by name
     Buffer<Ray> rays_;
     Buffer<uint> sources_, live_, counts_;
     Buffer<Hit> hits_;

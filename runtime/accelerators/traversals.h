@@ -3,26 +3,34 @@
 #include <vector>
 
 #include "runtime/opencl/device.h"
+#include "runtime/opencl/kernel.h"
+#include "runtime/wavefront/specialization.h"
 #include "scene/accelerators/accelerator.h"
-#include "scene/compile.h"
 
 namespace brandung {
 
 /// A stage per question, kernels/stages/<name>.cl. All of them have the same answers.
 struct Traversal {
+    /// Of devices: on which it pays. CPUs can run the others too.
+    enum class PaysOn { all, cpus, others };
     const char *name;
     const char *closest_hit;         ///< has the parameters of kernels/stages/intersect.cl
     const char *any_hit;             ///< and of kernels/stages/trace_shadow_rays_singly.cl
+    RayLanes lanes;                  ///< for which they are compiled
     bool AcceleratorKind::*support;  ///< what the accelerator must have; null: all have it
-    bool for_coherent;               ///< pays for rays that stay together only
+    PaysOn pays_on;
+    bool for_coherent;  ///< pays for rays that stay together only
 };
 /// THE list of traversals: of those that there are and that pay, a render takes the first.
 const std::vector<Traversal> &traversals();
 
-/// Whether the accelerator has it, on such a device: what traces several rays at once pays where a work-item has many.
-bool is_available(const Traversal &traversal, const Device &device, const CompiledScene &compiled);
+/// Whether the accelerator has it, and the device can be asked to run it: a CPU any, so that all can be compared there, others what pays on them.
+bool is_available(const Traversal &traversal, const DeviceInfo &device, const AcceleratorKind &accelerator);
 /// The one that a render takes for rays that stay together, or else go their own ways.
-const Traversal &traversal_of_render(bool coherent, const Device &device, const CompiledScene &compiled);
+const Traversal &traversal_of_render(bool coherent, const DeviceInfo &device, const AcceleratorKind &accelerator);
+
+/// One of its stages: &Traversal::closest_hit or any_hit.
+Kernel traversal_kernel(Device &device, const Traversal &traversal, const char *Traversal::*question, const CompiledScene &compiled);
 
 /// Rays from the eye and their first reflections stay together, the others go their own ways.
 inline bool are_coherent(uint generation) { return generation <= 1; }

@@ -32,7 +32,7 @@ public:
           evaluate_(job.device, "kernels/stages/evaluate_surfaces.cl", "evaluate_surfaces", scene_.lists()),
           shade_(job.device, whitted_cl, "shade_whitted", scene_.lists()),
           accumulate_(job.device, "kernels/stages/accumulate.cl", "accumulate", scene_.lists()),
-          intersect_together_(tracing_kernel(job, traversal_for(job, true).closest_hit)),
+          intersect_together_(tracing_kernel(job, true, &Traversal::closest_hit)),
           levels_(job.device, job.batch, branching_, branching_ == 0 ? 1 : params_.max_depth, job.compiled.interior_size, instances_, job.on_step),
           hits_(job.device, job.batch),
           hit_instances_(job.device, instances_ ? job.batch : 0),
@@ -47,7 +47,7 @@ public:
           no_tints_(job.device, 0),
           no_spectra_(job.device, 0),
           counter_(job.device, generate_.work_items(job.batch) * std::clamp(light_count_, 1u, lights_per_block)) {
-        if (branching_ > 0) intersect_apart_.emplace(tracing_kernel(job, traversal_for(job, false).closest_hit));
+        if (branching_ > 0) intersect_apart_.emplace(tracing_kernel(job, false, &Traversal::closest_hit));
         if (branching_ > 0) secondary_.emplace(job, branching_);
         if (job.compiled.transmits) media_.emplace(job);
         if (job.compiled.tints) pictures_.emplace(job);

@@ -12,11 +12,11 @@ namespace brandung {
 
 inline constexpr const char *whitted_cl = "kernels/integrators/whitted.cl";
 
-/// Of a traversal: one of its stages.
-inline Kernel tracing_kernel(const IntegratorJob &job, const char *stage) {
-    return Kernel(job.device, fmt::format("kernels/stages/{}.cl", stage), stage, job.on_device.lists());
+/// For the closest hits of rays that stay together, or else go their own ways; or for whether they meet anything.
+inline Kernel tracing_kernel(const IntegratorJob &job, bool coherent, const char *Traversal::*question) {
+    const Traversal &traversal = traversal_of_render(coherent, job.device.info(), *job.compiled.accelerator);
+    return traversal_kernel(job.device, traversal, question, job.compiled);
 }
-inline const Traversal &traversal_for(const IntegratorJob &job, bool coherent) { return traversal_of_render(coherent, job.device, job.compiled); }
 
 /// Mirrored and refracted rays: only where a material sends them.
 struct Secondary {
@@ -68,12 +68,12 @@ struct Shadows {
         : stride(job.batch + 16),  // strides that are powers of two fall into the same cache sets
           rows(rows),
           spawn(job.device, whitted_cl, "spawn_shadow_rays", job.on_device.lists()),
-          trace_together(tracing_kernel(job, traversal_for(job, true).any_hit)),
+          trace_together(tracing_kernel(job, true, &Traversal::any_hit)),
           compact(job.device, stride, rows),
           rays(job.device, std::size_t{stride} * rows),
           visible(job.device, std::size_t{stride} * rows),
           live(job.device, std::size_t{stride} * rows) {
-        if (branching(job.compiled) > 0) trace_apart.emplace(tracing_kernel(job, traversal_for(job, false).any_hit));
+        if (branching(job.compiled) > 0) trace_apart.emplace(tracing_kernel(job, false, &Traversal::any_hit));
     }
     uint stride, rows;
     Kernel spawn, trace_together;

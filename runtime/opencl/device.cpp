@@ -127,7 +127,7 @@ void add_launch(const PendingLaunch &launch, cl_ulong possible, cl_ulong start, 
 
 }  // namespace
 
-Device Device::select(const std::string &name, uint threads) {
+Device Device::select(const std::string &name, uint threads, bool as_gpu) {
     const std::vector<Candidate> all = candidates();
     const auto chosen = std::find_if(all.begin(), all.end(),
                                      [&](const Candidate &candidate) { return candidate.info.unsuitable.empty() && matches(candidate, name); });
@@ -136,6 +136,7 @@ Device Device::select(const std::string &name, uint threads) {
         auto implementation = std::make_unique<Implementation>();
         implementation->device = limited(chosen->device, chosen->info.cpu ? threads : 0);
         describe(implementation->device, implementation->info);
+        implementation->info.cpu &= !as_gpu;
         implementation->context = cl::Context(implementation->device);
         implementation->queue = cl::CommandQueue(implementation->context, implementation->device, CL_QUEUE_PROFILING_ENABLE);
         return Device(std::move(implementation));

@@ -15,8 +15,8 @@ namespace brandung {
 struct DeviceInfo {
     std::string platform, name, version, driver;
     std::string unsuitable;  ///< why it cannot be used, or empty
-    bool cpu = false;
-    bool doubles = false;  ///< has cl_khr_fp64, which only the self-test uses
+    bool cpu = false;        ///< has kernels as CPUs need them
+    bool doubles = false;    ///< has cl_khr_fp64, which only the self-test uses
     uint compute_units = 0;
     std::uint64_t memory = 0, largest_allocation = 0;  ///< [bytes]
 };
@@ -24,8 +24,9 @@ struct DeviceInfo {
 class Device {
 public:
     /// The first suitable device whose platform or name contains `name` (any case), CPUs first. `threads` limits the compute units of a CPU,
-    /// 0 takes all. Throws Error if there is none, naming those that were looked at.
-    static Device select(const std::string &name = "", uint threads = 0);
+    /// 0 takes all. Throws Error if there is none, naming those that were looked at. With `as_gpu` a CPU has what a GPU would have: the kernels, one
+    /// item per work-item, and the groups, so that these can be tested without a GPU.
+    static Device select(const std::string &name = "", uint threads = 0, bool as_gpu = false);
     /// All devices of all platforms; the flag says which one select("") takes.
     static std::vector<std::pair<DeviceInfo, bool>> list();
 

@@ -16,7 +16,7 @@ Sources lists_with_all_lights() {
     scene.instances = scene.emissive_instances = true;
     scene.lights.resize(light_kinds().size());
     std::iota(scene.lights.begin(), scene.lights.end(), 0u);
-    return specialize(scene);
+    return specialize(scene, RayLanes::eight);
 }
 
 }  // namespace

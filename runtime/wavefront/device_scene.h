@@ -1,7 +1,7 @@
 /// A compiled scene on a device.
 #pragma once
+#include "runtime/accelerators/traversals.h"
 #include "runtime/opencl/access.h"
-#include "runtime/wavefront/specialization.h"
 
 namespace brandung {
 
@@ -14,11 +14,14 @@ public:
     /// Copies records and texels to the device, and writes the generated files. Throws Error if one allocation of the device cannot hold the arena or
     /// the texels.
     DeviceScene(Device &device, const CompiledScene &scene)
+        : DeviceScene(device, scene, traversal_of_render(false, device.info(), *scene.accelerator).lanes) {}
+    /// For all kernels but those of traversals that are chosen for their rays.
+    DeviceScene(Device &device, const CompiledScene &scene, RayLanes lanes)
         : header_(device, std::span(&scene.header, 1)),
           arena_(device, scene.arena),
           texels_(device, std::span<const std::uint16_t>(scene.texels)),
           lights_(scene.header.lights),
-          lists_(specialize(scene)) {}
+          lists_(specialize(scene, lanes)) {}
 
     template <class Bind> void for_each_argument(Bind bind) const { bind(shared(header_)), bind(data_dependent(arena_)); }
     /// The same for kernels that look nothing up but materials and lights, of which there are few.

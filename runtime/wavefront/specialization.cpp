@@ -30,9 +30,11 @@ void add_primitives(const CompiledScene &scene, Sources &sources) {
     sources["generated/primitive_hits.cl"] = hits;
 }
 
-void add_accelerator(const CompiledScene &scene, Sources &sources) {
+void add_accelerator(const CompiledScene &scene, RayLanes lanes, Sources &sources) {
+    const bool scalar = lanes == RayLanes::one;
     const std::string levels = scene.instances ? "two_levels" : "one_level";
-    sources["generated/accelerator.cl"] = include(fmt::format("accelerators/{}.cl", scene.accelerator->file));
+    sources["generated/accelerator.cl"] = include(fmt::format("accelerators/{}{}.cl", scene.accelerator->file, scalar ? "_scalar" : ""));
+    sources["generated/single_ray.cl"] = include(scalar ? "accelerators/single_ray_x1.cl" : "accelerators/single_ray_x8.cl");
     sources["generated/levels.cl"] = include(fmt::format("accelerators/{}.cl", levels));
     sources["generated/work.cl"] = include("accelerators/no_work.cl");
     if (scene.accelerator->interleaved)
@@ -64,12 +66,12 @@ std::string family(const std::vector<uint> &in_use, const Kinds &kinds, const st
 
 uint branching(const CompiledScene &scene) { return scene.transmits && !scene.follows_one ? 2 : scene.reflects || scene.transmits ? 1 : 0; }
 
-Sources specialize(const CompiledScene &scene) {
+Sources specialize(const CompiledScene &scene, RayLanes lanes) {
     Sources sources;
     add_primitives(scene, sources);
     sources["generated/bsdfs.cl"] = family(scene.bsdfs, bsdf_kinds(), "bsdfs", "FOR_EACH_BSDF");
     sources["generated/lights.cl"] = family(scene.lights, light_kinds(), "lights", "FOR_EACH_LIGHT");
-    add_accelerator(scene, sources);
+    add_accelerator(scene, lanes, sources);
     sources["generated/instances.cl"] = include(scene.instances ? "primitives/instance.cl" : "primitives/no_instance.cl");
     sources["generated/emissive_instances.cl"] =
         include(scene.emissive_instances ? "lights/emissive_instances.cl" : "lights/no_emissive_instances.cl");

@@ -5,8 +5,11 @@
 
 namespace brandung {
 
-/// The text of generated/*.cl and generated/*.h for the kinds that the scene uses.
-Sources specialize(const CompiledScene &scene);
+/// Of a ray that is traced alone: eight are tested against as many boxes or primitives at once, one against one after another.
+enum class RayLanes { eight, one };
+
+/// The text of generated/*.cl and generated/*.h for the kinds that the scene uses. One lane only where the accelerator has a scalar traversal.
+Sources specialize(const CompiledScene &scene, RayLanes lanes);
 
 /// Children per ray: mirrored and refracted ones need two slots, mirrored ones alone one, none at all none.
 uint branching(const CompiledScene &scene);

@@ -1,13 +1,15 @@
 /// Collapses the binary hierarchy to nodes with 8 children.
-#include "kernels/accelerators/wide_bvh.h"
+#include "scene/accelerators/wide_bvh.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
+#include "kernels/core/items.h"
 #include "scene/accelerators/bvh2.h"
 #include "scene/accelerators/reinsertion.h"
 #include "scene/accelerators/wide_cut.h"
@@ -17,6 +19,7 @@ namespace brandung {
 namespace {
 
 constexpr uint most_slack = 16;
+static_assert(std::bit_width(MAX_PRIMITIVES - 1) <= BVH_LEVELS, "a balanced tree over all that have numbers is not too deep");
 constexpr uint piece_size = 16384;         ///< references of a subtree that is one task
 constexpr uint high_smallest_divided = 5;  ///< for quality high; offering smaller blocks in pieces gains next to nothing
 
@@ -73,14 +76,23 @@ void set_child(BvhNode &node, uint slot, const KindBox &box, uint word) {
     }
 }
 
+/// That of a ray to a node or leaf, if it meets all boxes on it and visits the children in the worst order.
+struct Way {
+    uint levels = 0;         ///< nodes that it comes through
+    uint stack_entries = 1;  ///< children of these that still wait, and where it leads
+
+    Way to_child(uint children) const { return {levels + 1, stack_entries + children - 1}; }
+    Way or_longer(const Way &other) const { return {std::max(levels, other.levels), std::max(stack_entries, other.stack_entries)}; }
+};
+
 /// Wide nodes below one node of the binary tree, depth first, so that what is near in space is near in memory. Words of children number nodes and
 /// blocks from this piece's first on.
 class Piece {
 public:
-    Piece(const BinaryTree &tree, uint root, uint pending) : tree_(tree), root_(root), pending_(pending) {}
+    Piece(const BinaryTree &tree, uint root, Way way) : tree_(tree), root_(root), way_(way) {}
 
     void build(BuildProgress &progress) {
-        word = tree_.cuts[root_].is_leaf && root_ != 0 ? add_block(root_) : add_node(root_, pending_);
+        word = tree_.cuts[root_].is_leaf && root_ != 0 ? add_block(root_) : add_node(root_, way_);
         std::uint64_t references = 0;
         for (const auto &of_kind : blocks)
             for (const PrimitiveBlock &block : of_kind) references += block.count;
@@ -90,19 +102,19 @@ public:
     uint word;  ///< of its root
     std::vector<BvhNode> nodes;
     std::array<std::vector<PrimitiveBlock>, MAX_PRIMITIVE_KINDS> blocks;
-    uint stack_entries = 1;  ///< that a ray needs if it meets all boxes and visits the children in the worst order
+    Way longest;  ///< to the children of its nodes
 
 private:
-    /// `pending`: entries on the stack of a ray that arrives here.
-    uint add_node(uint index, uint pending) {
+    /// `way`: to this node.
+    uint add_node(uint index, Way way) {
         const Children children = children_of(tree_, index);
         const uint place = uint(nodes.size());
         nodes.push_back(empty_node());
-        pending += children.count - 1;
-        stack_entries = std::max(stack_entries, pending + 1);
+        way = way.to_child(children.count);
+        longest = longest.or_longer(way);
         for (uint slot = 0; slot < children.count; ++slot) {
             const uint child = children.nodes[slot];
-            const uint word = tree_.cuts[child].is_leaf ? add_block(child) : add_node(child, pending);
+            const uint word = tree_.cuts[child].is_leaf ? add_block(child) : add_node(child, way);
             set_child(nodes[place], slot, tree_.nodes.nodes[child].box, word);
         }
         return place;
@@ -125,20 +137,21 @@ private:
     }
 
     const BinaryTree &tree_;
-    uint root_, pending_;
+    uint root_;
+    Way way_;
 };
 
 /// The top of the tree, and pieces of it below, which are built in parallel. Everything gets the number that it would have in one piece.
 class Collapse {
 public:
     Collapse(const Bvh2 &tree, BuildProgress &progress) : tree_{tree, cut_tree(tree)} {
-        list_pieces(0, 0);
+        list_pieces(0, {});
         tbb::parallel_for(
             size_t(0), pieces_.size(), [&](size_t i) { pieces_[i].build(progress); }, tbb::simple_partitioner());
-        for (const Piece &piece : pieces_) stack_entries_ = std::max(stack_entries_, piece.stack_entries);
+        for (const Piece &piece : pieces_) longest_ = longest_.or_longer(piece.longest);
     }
 
-    uint stack_entries() const { return stack_entries_; }
+    bool fits(const WideBvhLimits &limits) const { return longest_.levels <= limits.levels && longest_.stack_entries <= limits.pending; }
 
     BuiltAccelerator join() {
         add(0);
@@ -163,15 +176,15 @@ private:
 
     bool is_piece(uint index) const { return tree_.nodes.nodes[index].count <= piece_size; }
 
-    void list_pieces(uint index, uint pending) {
+    void list_pieces(uint index, Way way) {
         if (is_piece(index)) {
-            pieces_.emplace_back(tree_, index, pending);
+            pieces_.emplace_back(tree_, index, way);
             return;
         }
         const Children children = children_of(tree_, index);
-        pending += children.count - 1;
-        stack_entries_ = std::max(stack_entries_, pending + 1);
-        for (uint slot = 0; slot < children.count; ++slot) list_pieces(children.nodes[slot], pending);
+        way = way.to_child(children.count);
+        longest_ = longest_.or_longer(way);
+        for (uint slot = 0; slot < children.count; ++slot) list_pieces(children.nodes[slot], way);
     }
 
     /// In the same order. Gives the word.
@@ -209,7 +222,8 @@ private:
     std::vector<Firsts> firsts_;                 ///< of the pieces
     std::vector<std::pair<uint, BvhNode>> top_;  ///< nodes above them, by place
     std::array<uint, MAX_PRIMITIVE_KINDS> block_counts_{};
-    uint node_count_ = 0, stack_entries_ = 1;
+    uint node_count_ = 0;
+    Way longest_;
 };
 
 BuiltAccelerator build_empty() {
@@ -227,7 +241,8 @@ Bvh2 build_binary(std::span<const Reference> references, BuildQuality quality, u
 
 }  // namespace
 
-BuiltAccelerator build_wide_bvh(std::span<const Reference> references, const Hulls &, BuildQuality quality, BuildProgress &progress) {
+BuiltAccelerator build_wide_bvh_within(const WideBvhLimits &limits, std::span<const Reference> references, BuildQuality quality,
+                                       BuildProgress &progress) {
     if (references.empty()) return build_empty();
     // The binary tree, rounds of changes to it, and its collapse.
     progress.begin((quality == BuildQuality::high ? 2 + reinsertion_rounds : 2) * references.size());
@@ -235,9 +250,13 @@ BuiltAccelerator build_wide_bvh(std::span<const Reference> references, const Hul
     for (uint slack = most_slack;; slack /= 2) {
         const Bvh2 tree = build_binary(references, quality, slack, progress);
         Collapse collapse(tree, progress);
-        if (collapse.stack_entries() <= BVH_PENDING) return collapse.join();
+        if (collapse.fits(limits)) return collapse.join();
         if (slack == 0) throw SceneError(fmt::format("wide_bvh: {} primitives need a deeper stack than the traversal has", references.size()));
     }
+}
+
+BuiltAccelerator build_wide_bvh(std::span<const Reference> references, const Hulls &, BuildQuality quality, BuildProgress &progress) {
+    return build_wide_bvh_within({}, references, quality, progress);
 }
 
 }  // namespace brandung

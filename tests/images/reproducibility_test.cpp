@@ -1,6 +1,7 @@
 /// The same bits, however the work is cut up.
 #include <gtest/gtest.h>
 
+#include "runtime/opencl/device.h"
 #include "scene/bsdfs/bsdf.h"
 #include "scene/lights/light.h"
 #include "tests/images/oracle.h"
@@ -68,6 +69,23 @@ Result render_with_threads(const Scene &scene, uint threads) {
 }
 
 }  // namespace
+
+/// One item per work-item, and rays of one lane; with media, filtered shadows and instances, for which all hits along a ray are gathered.
+TEST(SameBits, WithTheKernelsOfGpus) {
+    Scene scene = scene_of_everything(40, 30, 2);
+    scene.integrator.filtered_shadows = true;
+    Scene group;
+    add_soup(group, 1, {.of_each = 5, .size = 0.5f, .seed = 9});
+    add_group(scene, "group", std::move(group.shapes));
+    ASSERT_FALSE(add_instance(scene, 0, translation({0.3f, 0, 0})));
+    ASSERT_FALSE(add_instance(scene, 0, translation({-0.3f, 0.2f, 0})));
+    Device as_gpu = Device::select("", 0, true);
+    const Rendering expected = render_scene(scene), found = render_scene(as_gpu, scene);
+    EXPECT_EQ(film_hash(found.film), film_hash(expected.film));
+    EXPECT_EQ(found.counts.hits, expected.counts.hits);
+    EXPECT_TRUE(as_gpu.kernels().contains("intersect") && as_gpu.kernels().contains("trace_shadow_rays_singly"));
+    EXPECT_FALSE(as_gpu.kernels().contains("intersect_packets") || as_gpu.kernels().contains("intersect_interleaved"));
+}
 
 TEST(SameBits, FromRunToRun) {
     const Scene scene = scene_of_everything(64, 48, 4);

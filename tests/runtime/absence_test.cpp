@@ -59,15 +59,16 @@ Scene everything() {
 }
 
 /// The expanded text of every kernel file that renders, without comments.
-std::map<std::string, std::string> expanded(const Scene &scene) {
+std::map<std::string, std::string> expanded(const Scene &scene, RayLanes lanes = RayLanes::eight) {
     std::map<std::string, std::string> texts;
     const CompiledScene compiled = compile(scene);
-    const Sources lists = specialize(compiled);
+    const Sources lists = specialize(compiled, lanes);
     const auto renders = [&](const EmbeddedFile &file) {
         return file.text.find("\nkernel void ") != std::string_view::npos && !file.path.starts_with("kernels/selftest/") &&
                !file.path.starts_with("kernels/bench/") &&
                (compiled.accelerator->packets || file.text.find("packet_levels.cl") == std::string_view::npos) &&
-               (compiled.accelerator->interleaved || file.text.find("accelerators/interleaved.cl") == std::string_view::npos);
+               ((compiled.accelerator->interleaved && lanes == RayLanes::eight) ||
+                file.text.find("accelerators/interleaved.cl") == std::string_view::npos);
     };
     for (const EmbeddedFile &file : embedded_kernels())
         if (renders(file))
@@ -148,7 +149,17 @@ TEST(Absence, OtherAcceleratorsAreNotThere) {
             const std::string file = std::string("accelerators/") + other.file;
             expect_absent(scene, {file + ".cl", file + "_packets.cl", file + "_interleaved.cl"});
         }
+        expect_absent(scene, {"_scalar.cl", "single_ray_x1.cl"});
         expect_present(scene, "kernels/stages/intersect.cl", std::string("accelerators/") + chosen.file + ".cl");
+    }
+}
+
+TEST(Absence, WithOneLaneASingleRayHasNoTraversalOfEight) {
+    for (const auto &[file, text] : expanded(spheres_only(glass(1.5f)), RayLanes::one)) {
+        if (text.find("accelerators/levels.cl") == std::string::npos) continue;
+        EXPECT_NE(text.find("accelerators/wide_bvh_scalar.cl"), std::string::npos) << file;
+        for (const char *absent : {"accelerators/wide_bvh.cl", "single_ray_x8.cl", "primitive_hits_8.cl"})
+            EXPECT_EQ(text.find(absent), std::string::npos) << file << " has " << absent;
     }
 }
 
@@ -258,18 +269,27 @@ std::set<std::string> listed_names(const std::string &text) {
     return names;
 }
 
+std::string stub_of(const std::filesystem::path &path) {
+    std::ifstream in(path);
+    EXPECT_TRUE(in) << path << " is not there for lint";
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
 TEST(Lint, ItsListsNameEveryKindAndFileThatSpecialisationCanMake) {
-    const std::filesystem::path stubs = BRANDUNG_SOURCE_DIR "/tests/kernels/all_kinds";
+    const std::filesystem::path stubs = BRANDUNG_SOURCE_DIR "/tests/kernels/all_kinds", of_one_lane = BRANDUNG_SOURCE_DIR "/tests/kernels/one_lane";
     Scene scene = everything();
     auto world = std::exchange(scene.shapes, {});
     add_soup(scene, 0, {.of_each = 1});
     add_group(scene, "group", std::exchange(scene.shapes, std::move(world)));
     ASSERT_FALSE(add_instance(scene, 0, AffineMap(), add_material(scene, emitter(Spectrum(1)))));
-    const Sources lists = specialize(compile(scene));
+    const CompiledScene compiled = compile(scene);
+    const Sources lists = specialize(compiled, RayLanes::eight);
+    for (const auto &[path, text] : specialize(compiled, RayLanes::one)) {
+        if (text == lists.at(path)) continue;
+        EXPECT_EQ(listed_names(stub_of(of_one_lane / path)), listed_names(text)) << path;
+    }
     for (const auto &[path, text] : lists) {
-        std::ifstream in(stubs / path);
-        ASSERT_TRUE(in) << path << " has no stub for lint";
-        const std::string stub{std::istreambuf_iterator<char>(in), {}};
+        const std::string stub = stub_of(stubs / path);
         EXPECT_EQ(listed_names(stub), listed_names(text)) << path;
         std::istringstream lines(text);
         for (std::string line; std::getline(lines, line);)

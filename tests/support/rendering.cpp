@@ -10,8 +10,9 @@ __int128 sum_of(const FilmPixel &pixel, std::size_t c) { return value_of(pixel.s
 
 __int128 squares_of(const FilmPixel &pixel, std::size_t c) { return value_of(pixel.squares[0][c]) + value_of(pixel.squares[1][c]); }
 
-Rendering render_scene(const Scene &scene, const RenderOptions &options, Kinds kinds) {
-    Device &device = test_device();
+Rendering render_scene(const Scene &scene, const RenderOptions &options, Kinds kinds) { return render_scene(test_device(), scene, options, kinds); }
+
+Rendering render_scene(Device &device, const Scene &scene, const RenderOptions &options, Kinds kinds) {
     const CompiledScene compiled = compile(scene, {.kinds = kinds});
     const DeviceScene on_device(device, compiled);
     Film film(device, scene.film.window());

@@ -22,6 +22,8 @@ __int128 squares_of(const FilmPixel &pixel, std::size_t c);
 
 /// Renders with the scene's first camera on the test device.
 Rendering render_scene(const Scene &scene, const RenderOptions &options = {}, Kinds kinds = Kinds::in_use);
+/// On another one.
+Rendering render_scene(Device &device, const Scene &scene, const RenderOptions &options = {}, Kinds kinds = Kinds::in_use);
 
 /// Of the exact sums: equal pictures and only they have equal hashes (FNV-1a, 64 bits).
 std::uint64_t film_hash(const std::vector<FilmPixel> &film);

@@ -1,6 +1,7 @@
 #include "tests/support/traced_scene.h"
 
 #include <numeric>
+#include <utility>
 
 #include "tests/support/probe.h"
 
@@ -40,12 +41,13 @@ Ray make_ray(vec3 origin, vec3 direction, float t_max, uint kind) {
     return {.origin = origin, .t_max = t_max, .direction = direction, .tag = RAY_TAG(kind, NO_HIT)};
 }
 
-TracedScene::TracedScene(Scene &scene, const std::string &accelerator)
-    : compiled_(compile_with(scene, accelerator)), on_device_(test_device(), compiled_) {}
+TracedScene::TracedScene(Scene &scene, const std::string &accelerator) : TracedScene(compile_with(scene, accelerator)) {}
 
-std::vector<Hit> TracedScene::closest_hits(const std::string &stage, const std::vector<Ray> &rays) {
+TracedScene::TracedScene(CompiledScene compiled) : compiled_(std::move(compiled)), on_device_(test_device(), compiled_) {}
+
+std::vector<Hit> TracedScene::closest_hits(const Traversal &traversal, const std::vector<Ray> &rays) {
     Device &device = test_device();
-    Kernel kernel(device, "kernels/stages/" + stage + ".cl", stage, on_device_.lists());
+    Kernel kernel = traversal_kernel(device, traversal, &Traversal::closest_hit, compiled_);
     const Buffer<Ray> ray_buffer(device, rays);
     const Buffer<uint> live(device, live_list(rays.size()));
     const Buffer<Hit> hits(device, rays.size());
@@ -59,9 +61,9 @@ std::vector<Hit> TracedScene::closest_hits(const std::string &stage, const std::
     return hits.read();
 }
 
-std::vector<std::uint8_t> TracedScene::visible(const std::string &stage, const std::vector<Ray> &rays) {
+std::vector<std::uint8_t> TracedScene::visible(const Traversal &traversal, const std::vector<Ray> &rays) {
     Device &device = test_device();
-    Kernel kernel(device, "kernels/stages/" + stage + ".cl", stage, on_device_.lists());
+    Kernel kernel = traversal_kernel(device, traversal, &Traversal::any_hit, compiled_);
     const Buffer<Ray> ray_buffer(device, rays);
     std::vector<uint> all(rays.size());
     std::iota(all.begin(), all.end(), 0u);
@@ -79,14 +81,8 @@ std::vector<std::uint8_t> TracedScene::visible(const std::string &stage, const s
 std::vector<Traversal> TracedScene::traversals() const {
     std::vector<Traversal> available;
     for (const Traversal &traversal : brandung::traversals())
-        if (is_available(traversal, test_device(), compiled_)) available.push_back(traversal);
+        if (is_available(traversal, test_device().info(), *compiled_.accelerator)) available.push_back(traversal);
     return available;
-}
-
-std::vector<std::string> TracedScene::shadow_stages() const {
-    std::vector<std::string> stages;
-    for (const Traversal &traversal : traversals()) stages.emplace_back(traversal.any_hit);
-    return stages;
 }
 
 std::vector<Surface> TracedScene::surfaces(const std::vector<Ray> &rays, const std::vector<Hit> &hits, const std::vector<uint> &instances) {

@@ -19,13 +19,14 @@ class TracedScene {
 public:
     /// Sets the scene's accelerator.
     TracedScene(Scene &scene, const std::string &accelerator);
+    explicit TracedScene(CompiledScene compiled);
 
     /// By stages/intersect.cl, one ray after another.
-    std::vector<Hit> closest_hits(const std::vector<Ray> &rays) { return closest_hits("intersect", rays); }
+    std::vector<Hit> closest_hits(const std::vector<Ray> &rays) { return closest_hits(traversals().back(), rays); }
     /// By one of traversals().
-    std::vector<Hit> closest_hits(const Traversal &traversal, const std::vector<Ray> &rays) { return closest_hits(traversal.closest_hit, rays); }
-    /// By one of shadow_stages(): 1 where nothing is met before t_max.
-    std::vector<std::uint8_t> visible(const std::string &stage, const std::vector<Ray> &rays);
+    std::vector<Hit> closest_hits(const Traversal &traversal, const std::vector<Ray> &rays);
+    /// The same: 1 where nothing is met before t_max.
+    std::vector<std::uint8_t> visible(const Traversal &traversal, const std::vector<Ray> &rays);
     /// By primitives/primitive.cl; all zero where nothing was hit.
     std::vector<Surface> surfaces(const std::vector<Ray> &rays, const std::vector<Hit> &hits, const std::vector<uint> &instances = {});
 
@@ -34,10 +35,8 @@ public:
     /// Those of the last closest hits; 0 in scenes without instances.
     const std::vector<uint> &instances() const { return instances_; }
 
-    /// Those that there are, rays one after another among them.
+    /// Those that there are, the last of which every accelerator has.
     std::vector<Traversal> traversals() const;
-    /// Of the same.
-    std::vector<std::string> shadow_stages() const;
 
     /// Sums of what the last call's work-items counted.
     const Tally &tally() const { return tally_; }
@@ -45,8 +44,6 @@ public:
     const DeviceScene &on_device() const { return on_device_; }
 
 private:
-    std::vector<Hit> closest_hits(const std::string &stage, const std::vector<Ray> &rays);
-
     CompiledScene compiled_;
     DeviceScene on_device_;
     Tally tally_{};

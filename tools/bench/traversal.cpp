@@ -67,7 +67,7 @@ private:
         const Camera camera = make_camera(chosen_camera(scene, trial_.camera), scene.film.width, scene.film.height);
         const auto find_hits = [&](const RayQueue &queue) {
             RayAnswers found;
-            trace(queue, traversal_of_render(false, device_, ours_.compiled), &found);
+            trace(queue, traversal_of_render(false, device_.info(), *ours_.compiled.accelerator), &found);
             return found;
         };
         sets_ = make_ray_sets(trial_.rays, camera, shadow_light(scene), geometry_, find_hits);
@@ -84,7 +84,7 @@ private:
         std::optional<RayAnswers> first, robust;
         std::optional<Disagreement> of_first;
         for (const Traversal &traversal : traversals()) {
-            if (!is_available(traversal, device_, ours_.compiled)) continue;
+            if (!is_available(traversal, device_.info(), *ours_.compiled.accelerator)) continue;
             if (!goes_on(set.name + ", warming up")) return false;
             RayAnswers found;
             trace(set.queue, traversal, &found);
@@ -150,10 +150,10 @@ private:
         const char *kernel = set.queue.shadow ? traversal.any_hit : traversal.closest_hit;
         return {.rays = set.name,
                 .traversal = &traversal,
-                .of_render = &traversal == &traversal_of_render(set.queue.coherent, device_, ours_.compiled),
+                .of_render = &traversal == &traversal_of_render(set.queue.coherent, device_.info(), *ours_.compiled.accelerator),
                 .count = set.queue.count(),
                 .kernel = kernel,
-                .hash = hash_of_text(expand_source(fmt::format("kernels/stages/{}.cl", kernel), ours_.on_device.lists()))};
+                .hash = hash_of_text(expand_source(fmt::format("kernels/stages/{}.cl", kernel), specialize(ours_.compiled, traversal.lanes)))};
     }
 
     /// In batches; `found` takes the answers unless it is null.

@@ -62,7 +62,7 @@ private:
         const std::vector<uint> sources(rays.size(), 0);
         std::vector<Answers> all;
         for (const Traversal &traversal : traversals()) {
-            if (!is_available(traversal, device_, mesh.scene)) continue;
+            if (!is_available(traversal, device_.info(), *mesh.scene.accelerator)) continue;
             mesh.tracing.trace({false, false, rays, sources}, traversal);
             all.push_back({traversal.name, mesh.tracing.answers().hits, {}});
             mesh.tracing.trace({true, false, rays, sources}, traversal);
@@ -111,7 +111,7 @@ private:
 
 void add_closed_meshes(std::vector<SubjectEntry> &list) {
     list.push_back({"closed_meshes", "primitives/triangle_crossing.cl, accelerators/wide_bvh.cl",
-                    "every ray from inside meets one place or more, the same in packets, in turn and alone, of convex meshes one; ambiguous: lists "
+                    "every ray from inside meets one place or more, the same by every traversal, of convex meshes one; ambiguous: lists "
                     "of hits that are full",
                     1, [](Device &device) { return std::make_unique<ClosedMeshes>(device); }});
 }

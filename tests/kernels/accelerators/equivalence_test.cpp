@@ -92,15 +92,13 @@ void expect_equivalent(Scene &scene, const std::string &accelerator, const Query
         expect_same({found, traced.instances()}, expected, rays, what + ", " + traversal.name);
         EXPECT_EQ(std::accumulate(traced.tally().rays, traced.tally().rays + RAY_KINDS, std::size_t{0}), rays.size());
         EXPECT_EQ(std::accumulate(traced.tally().hits, traced.tally().hits + RAY_KINDS, std::size_t{0}), hits);
-    }
 
-    for (const std::string &stage : traced.shadow_stages()) {
-        const std::vector<std::uint8_t> visible = traced.visible(stage, rays);
+        const std::vector<std::uint8_t> visible = traced.visible(traversal, rays);
         std::size_t different = 0;
         for (std::size_t i = 0; i < rays.size(); ++i) different += (visible[i] != 0) != (expected.hits[i].primitive == NO_HIT);
-        EXPECT_EQ(different, 0u) << what << ", " << stage << ", of " << rays.size();
-        EXPECT_EQ(traced.tally().hits[RAY_SHADOW], hits) << stage;
-        EXPECT_EQ(traced.tally().rays[RAY_SHADOW], rays.size()) << stage;
+        EXPECT_EQ(different, 0u) << what << ", shadows, " << traversal.name << ", of " << rays.size();
+        EXPECT_EQ(traced.tally().hits[RAY_SHADOW], hits) << traversal.name;
+        EXPECT_EQ(traced.tally().rays[RAY_SHADOW], rays.size()) << traversal.name;
     }
 }
 

@@ -205,10 +205,10 @@ TEST(Instances, ARayMeetsWhatItLeavesInAnotherInstanceOnly) {
         EXPECT_EQ(traced.instances()[0], 3u);
     }
     for (Ray &ray : leaving) ray.t_max = 1.5f;
-    for (const std::string &stage : traced.shadow_stages()) EXPECT_EQ(traced.visible(stage, leaving)[0], 1u) << stage;
+    for (const Traversal &traversal : traced.traversals()) EXPECT_EQ(traced.visible(traversal, leaving)[0], 1u) << traversal.name;
     traced.leave_instances({3});
     EXPECT_EQ(traced.closest_hits(leaving)[0].t, 1.0f);
-    for (const std::string &stage : traced.shadow_stages()) EXPECT_EQ(traced.visible(stage, leaving)[0], 0u) << stage;
+    for (const Traversal &traversal : traced.traversals()) EXPECT_EQ(traced.visible(traversal, leaving)[0], 0u) << traversal.name;
 }
 
 /// The point moved by its error bound along the normal, rounded away, as kernels/core/spawn.cl does it.

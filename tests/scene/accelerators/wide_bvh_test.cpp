@@ -1,4 +1,4 @@
-#include "kernels/accelerators/wide_bvh.h"
+#include "scene/accelerators/wide_bvh.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "kernels/primitives/triangle.h"
+#include "scene/error.h"
 #include "tests/support/accelerators.h"
 #include "tests/support/references.h"
 
@@ -41,6 +42,14 @@ const PrimitiveBlock &block_of(const BuiltAccelerator &built, uint word) { retur
 /// The words before the first empty one.
 std::span<const uint> children_of(const BvhNode &node) {
     return {std::begin(node.child), std::find(std::begin(node.child), std::end(node.child), BVH_EMPTY)};
+}
+
+/// Nodes on the longest way from this one.
+uint levels_from(const std::vector<BvhNode> &nodes, uint word) {
+    if (word & BVH_LEAF) return 0;
+    uint most = 0;
+    for (const uint child : children_of(nodes[word])) most = std::max(most, levels_from(nodes, child));
+    return 1 + most;
 }
 
 class WideBvhOfCase : public testing::TestWithParam<std::tuple<ReferencesCase, BuildQuality>> {
@@ -136,7 +145,10 @@ TEST_P(WideBvhOfCase, ChildrenAreSortedByTheNumberOfPrimitivesLargestFirst) {
         EXPECT_TRUE(std::ranges::is_sorted(children_of(node), std::greater(), [&](uint word) { return primitives_below(word); }));
 }
 
-TEST_P(WideBvhOfCase, TheTraversalsStackIsDeepEnough) { EXPECT_LE(stack_entries(0), BVH_PENDING); }
+TEST_P(WideBvhOfCase, TheTraversalsStacksAreDeepEnough) {
+    EXPECT_LE(stack_entries(0), BVH_PENDING);
+    EXPECT_LE(levels_from(nodes, 0), BVH_LEVELS);
+}
 
 TEST_P(WideBvhOfCase, TheNumberOfThreadsDoesNotShow) {
     for (const size_t threads : {1, 2}) {
@@ -148,6 +160,14 @@ TEST_P(WideBvhOfCase, TheNumberOfThreadsDoesNotShow) {
             EXPECT_TRUE(std::ranges::equal(again.blocks[kind], built.blocks[kind], same));
         }
     }
+}
+
+TEST(WideBvh, ATreeThatIsTooDeepIsBuiltMoreBalanced) {
+    const References references = nest(2'000);
+    const uint levels = levels_from(nodes_of(build(references)), 0), fewer = levels - 1;
+    const std::vector<BvhNode> nodes = nodes_of(build_wide_bvh_within({.levels = fewer}, references, BuildQuality::fast, unwatched));
+    EXPECT_LE(levels_from(nodes, 0), fewer) << "of " << levels;
+    EXPECT_THROW(build_wide_bvh_within({.levels = 1}, references, BuildQuality::fast, unwatched), SceneError);
 }
 
 TEST(WideBvh, NoReferencesMakeARootWithoutChildren) {
