@@ -23,12 +23,13 @@ FUNCTION void store_crowded(global uchar *crowded, uint count, RowHits closest) 
     for (uint j = 0u; j < count; ++j) crowded[j] = bits >> j & 1u;
 }
 
-FUNCTION void count_rays(const Row *rays, const RowHits *closest, Tally *tally) {
-    const int16 here = rays->t_max >= 0.0f, hit = closest->primitive != (uint16)(NO_HIT);
+/// Of the row's first `count` rays.
+FUNCTION void count_rays(const Row *rays, uint count, const RowHits *closest, Tally *tally) {
+    const uint here = (1u << count) - 1u, hits = mask_bits(closest->primitive != (uint16)(NO_HIT));
     for (uint kind = 0u; kind < RAY_KINDS; ++kind) {
-        const int16 of_kind = here & ((rays->tag & 3) == (int16)((int)kind));
-        tally->rays[kind] += popcount(mask_bits(of_kind));
-        tally->hits[kind] += popcount(mask_bits(of_kind & hit));
+        const uint of_kind = here & mask_bits((rays->tag & 3) == (int16)((int)kind));
+        tally->rays[kind] += popcount(of_kind);
+        tally->hits[kind] += popcount(of_kind & hits);
     }
 }
 
@@ -48,7 +49,7 @@ kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
             store_hits(hits + start, rays_here, closest.rows[r]);
             if (INSTANCES) store_instances(instances + start, rays_here, closest.rows[r]);
             if (INTERIOR_SIZE > 0u) store_crowded(crowded + start, rays_here, closest.rows[r]);
-            count_rays(&packet.rows[r], &closest.rows[r], &tally);
+            count_rays(&packet.rows[r], rays_here, &closest.rows[r], &tally);
         }
     }
     tallies[get_global_id(0)] = tally;

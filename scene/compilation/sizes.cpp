@@ -12,7 +12,9 @@ namespace {
 
 std::string mebibytes(std::size_t bytes) { return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1 << 20)); }
 
-std::string limit_text(const ArenaLimit &limit) { return fmt::format("one allocation of '{}' takes {} at most", limit.device, mebibytes(limit.bytes)); }
+std::string limit_text(const ArenaLimit &limit) {
+    return fmt::format("one allocation of '{}' takes {} at most", limit.device, mebibytes(limit.bytes));
+}
 
 }  // namespace
 
