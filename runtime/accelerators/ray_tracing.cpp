@@ -64,7 +64,7 @@ RayTracing::RayTracing(Device &device, const CompiledScene &compiled, const Devi
       crowded_(device, batch),
       visible_(device, batch),
       works_(device, batch),
-      tallies_(device, batch),
+      tallies_(device, 1),
       batch_(batch) {}
 
 Kernel &RayTracing::stage(const Traversal &traversal, const char *Traversal::*question) {
@@ -93,19 +93,22 @@ TraceSeconds RayTracing::trace(const RaySpan &rays) { return trace(rays, rays.co
 
 TraceSeconds RayTracing::trace(const RaySpan &rays, const Traversal &traversal) {
     take(rays);
+    Kernel &kernel = stage(traversal, rays.shadow ? &Traversal::any_hit : &Traversal::closest_hit);
+    if (const std::size_t work_items = kernel.work_items(rays.rays.size()); work_items > tallies_.size())
+        tallies_ = Buffer<Tally>(device_, work_items);
     const double before = milliseconds_of(device_.profile()), start = seconds_now();
-    launch(rays, traversal);
+    launch(rays, kernel);
     device_.finish();
     const double wall = seconds_now() - start;
     return {1e-3 * (milliseconds_of(device_.profile()) - before), wall};
 }
 
-void RayTracing::launch(const RaySpan &rays, const Traversal &traversal) {
+void RayTracing::launch(const RaySpan &rays, Kernel &kernel) {
     const auto count = static_cast<uint>(rays.rays.size());
     if (rays.shadow) {
-        stage(traversal, &Traversal::any_hit)(count, scene_, live_, counts_, batch_, rays_, sources_, visible_, tallies_);
+        kernel(count, scene_, live_, counts_, batch_, rays_, sources_, visible_, tallies_);
     } else {
-        stage(traversal, &Traversal::closest_hit)(count, scene_, live_, 0u, count, rays_, sources_, hits_, instances_, crowded_, tallies_);
+        kernel(count, scene_, live_, 0u, count, rays_, sources_, hits_, instances_, crowded_, tallies_);
     }
 }
 

@@ -59,7 +59,7 @@ private:
     Kernel &stage(const Traversal &traversal, const char *Traversal::*question);
     Kernel &counter(const std::string &name);
     void take(const RaySpan &rays);
-    void launch(const RaySpan &rays, const Traversal &traversal);
+    void launch(const RaySpan &rays, Kernel &kernel);
 
     Device &device_;
     const CompiledScene &compiled_;
@@ -73,7 +73,7 @@ private:
     Buffer<uint> instances_;
     Buffer<std::uint8_t> crowded_, visible_;
     Buffer<Work> works_;
-    Buffer<Tally> tallies_;
+    Buffer<Tally> tallies_;  ///< as many as the largest launch so far has work-items
     uint batch_;
     RaySpan taken_{};
 };

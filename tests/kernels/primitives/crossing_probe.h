@@ -88,6 +88,7 @@ private:
         return {
             {"generated/constants.h", "#define INTERIOR_SIZE 0u\n#define INSTANCES 0\n"},
             {"generated/work.cl", "#include \"kernels/accelerators/no_work.cl\"\n"},
+            {"generated/single_ray.cl", "#include \"kernels/accelerators/single_ray_x8.cl\"\n"},
             {"generated/instances.cl", "#include \"kernels/primitives/no_instance.cl\"\n"},
             {"generated/primitives.cl", "#pragma once\n" + path + ".h\"\n#define FOR_EACH_PRIMITIVE(X) X(0, " + kind.record + ", " + name + ")\n"},
             {"generated/primitive_hits.cl", path + "_hit.cl\"\n"},
@@ -98,7 +99,6 @@ private:
     static std::string text() {
         return R"(#include "kernels/accelerators/leaf.cl"
 #include "kernels/core/lanes_1.cl"
-#include "kernels/core/lane_ray.cl"
 #include "generated/primitive_hits.cl"
 #include "kind.h"
             typedef struct { float t, u, v; uint hit; } Result;
