@@ -20,7 +20,9 @@ typedef struct {
 /// shifts t the more. find_interfaces decides by the faces' errors what does coincide. 0 in scenes without transparent materials.
 #define CROWD_MARGIN (INTERIOR_SIZE > 0u ? 64.0f : 0.0f)
 
-FUNCTION float crowd_margin(const ray_x8 *ray) { return CROWD_MARGIN * ray->pad.s0 / largest(absolute(ray->direction)).s0; }
+FUNCTION float crowd_margin(const ray_x8 *ray) {
+    return INTERIOR_SIZE > 0u ? CROWD_MARGIN * ray->pad.s0 / largest(absolute(ray->direction)).s0 : 0.0f;
+}
 
 FUNCTION Nearest nothing_hit(const ray_x8 *ray) {
     const Nearest nearest = {{ray->t_max.s0, 0.0f, 0.0f, NO_HIT}, INFINITY, crowd_margin(ray), NO_HIT, 0u, 0.0f};

@@ -1,0 +1,68 @@
+// Rays that are prepared for tracing 16 at once, but then go their own ways: the lanes of what packets are made of, read one by one.
+#pragma once
+#include "kernels/accelerators/packet.cl"
+
+/// 16 rays, lane by lane. Whoever follows one of them keeps its lane.
+typedef struct {
+    ray_x16 rays;                   ///< but for the axes
+    int16 kx, ky, kz;               ///< axes
+    vec3x16 near_shift, far_shift;  ///< as the rays' shifts, of the planes of a box that they meet first and last
+    int16 near_x, near_y, near_z;   ///< where 8 boxes' planes that they meet first begin among low x of all, low y, low z, high x, high y, high z
+    int16 far_x, far_y, far_z;      ///< and those that they meet last
+} PreparedRays;
+
+/// Value of a lane.
+#define LANE_OF(column, lane) (((const float *)&(column))[lane])
+#define NUMBER_OF(column, lane) (((const int *)&(column))[lane])
+
+FUNCTION float16 axis_of_each(vec3x16 v, int16 axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+FUNCTION vec3x16 turned(vec3x16 v, const PreparedRays *axes) {
+    return make3(axis_of_each(v, axes->kx), axis_of_each(v, axes->ky), axis_of_each(v, axes->kz));
+}
+
+FUNCTION PreparedRays prepare_each(const Packet *packet, float extent) {
+    PreparedRays prepared;
+    const int16 kz = packet->axis;
+    prepared.kz = kz, prepared.kx = kz == 2 ? (int16)(0) : kz + 1, prepared.ky = kz == 0 ? (int16)(2) : kz - 1;
+    ray_x16 rays = lane_ray(packet->origin, packet->direction, packet->t_max, 0u, packet->source, extent);
+    rays.turned_origin = turned(packet->origin, &prepared), rays.shear = shear_of(turned(packet->direction, &prepared));
+    if (INSTANCES) rays.source_instance = packet->source_instance;
+    prepared.rays = rays;
+    const int16 x = rays.inverse.x < 0.0f, y = rays.inverse.y < 0.0f, z = rays.inverse.z < 0.0f;
+    const vec3x16 low = rays.shift_low, high = rays.shift_high;
+    prepared.near_shift = make3(where(x, high.x, low.x), where(y, high.y, low.y), where(z, high.z, low.z));
+    prepared.far_shift = make3(where(x, low.x, high.x), where(y, low.y, high.y), where(z, low.z, high.z));
+    prepared.near_x = x & 24, prepared.near_y = 8 + (y & 24), prepared.near_z = 16 + (z & 24);
+    prepared.far_x = 24 - prepared.near_x, prepared.far_y = 40 - prepared.near_y, prepared.far_z = 56 - prepared.near_z;
+    return prepared;
+}
+
+/// The rays first .. end - 1 of a list, as packet_of takes them; at most ITEMS_PER_WORK_ITEM.
+FUNCTION void prepare_list(const global Ray *rays, const global uint *live, uint first, uint end, const global uint *source_instances, uint skipped,
+                           float extent, PreparedRays *prepared) {
+    for (uint i = first; i < end; i += PACKET) {
+        const Packet packet = packet_of(rays, live, i, end, source_instances, skipped);
+        *prepared++ = prepare_each(&packet, extent);
+    }
+}
+
+/// The ray of a lane, as prepare() gives it, that ends at t_max.
+FUNCTION ray_x8 widened(const PreparedRays *prepared, uint lane, float t_max) {
+    const ray_x16 *rays = &prepared->rays;
+#define WIDE(column) ((float8)(LANE_OF(rays->column, lane)))
+#define WIDE_NUMBER(column) ((int8)(NUMBER_OF(rays->column, lane)))
+#define WIDE3(columns) make3(WIDE(columns.x), WIDE(columns.y), WIDE(columns.z))
+    ray_x8 wide;
+    wide.origin = WIDE3(origin), wide.direction = WIDE3(direction), wide.t_max = (float8)(t_max);
+    wide.inverse_square = WIDE(inverse_square);
+    wide.source = WIDE_NUMBER(source), wide.source_instance = WIDE_NUMBER(source_instance);
+    wide.pad = WIDE(pad);
+    wide.inverse = WIDE3(inverse), wide.shift_low = WIDE3(shift_low), wide.shift_high = WIDE3(shift_high);
+    wide.turned_origin = WIDE3(turned_origin), wide.shear = WIDE3(shear);
+    wide.kx = (uint)NUMBER_OF(prepared->kx, lane), wide.ky = (uint)NUMBER_OF(prepared->ky, lane), wide.kz = (uint)NUMBER_OF(prepared->kz, lane);
+#undef WIDE
+#undef WIDE_NUMBER
+#undef WIDE3
+    return wide;
+}
