@@ -4,13 +4,17 @@
 #include "kernels/accelerators/leaf.cl"
 
 /// The ray in the space of an instance's group. It leaves a primitive of that instance only if it is the one that it leaves in the world.
-FUNCTION ray_x8 prepare_in_group(Scene scene, uint instance, const ray_x8 *world) {
+FUNCTION Ray ray_in_instance(Scene scene, uint instance, const ray_x8 *world) {
     Ray ray;
     ray.origin = make3(world->origin.x.s0, world->origin.y.s0, world->origin.z.s0);
     ray.direction = make3(world->direction.x.s0, world->direction.y.s0, world->direction.z.s0);
     ray.t_max = world->t_max.s0;
     ray.tag = RAY_TAG(0u, world->source_instance.s0 == (int)instance ? (uint)world->source.s0 : NO_HIT);
-    ray_x8 inner = prepare(ray_in_group(scene, instance, ray), group_of(scene, instance)->extent);
+    return ray_in_group(scene, instance, ray);
+}
+
+FUNCTION ray_x8 prepare_in_group(Scene scene, uint instance, const ray_x8 *world) {
+    ray_x8 inner = prepare(ray_in_instance(scene, instance, world), group_of(scene, instance)->extent);
     SHARE_WORK(inner, world);
     return inner;
 }

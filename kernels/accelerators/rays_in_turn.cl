@@ -66,3 +66,35 @@ FUNCTION ray_x8 widened(const PreparedRays *prepared, uint lane, float t_max) {
 #undef WIDE3
     return wide;
 }
+
+/// A ray becomes that of a lane. Its components are picked from memory by number, because a processor guesses wrong which is the largest.
+FUNCTION void prepare_lane(Ray ray, int source_instance, float extent, PreparedRays *prepared, uint lane) {
+    const uint kz = major_axis(ray.direction), kx = kz == 2u ? 0u : kz + 1u, ky = kz == 0u ? 2u : kz - 1u;
+    const float origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z}, direction[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
+    const vec3x8 o = make3((float8)(ray.origin.x), (float8)(ray.origin.y), (float8)(ray.origin.z));
+    const vec3x8 d = make3((float8)(ray.direction.x), (float8)(ray.direction.y), (float8)(ray.direction.z));
+    const ray_x8 wide = lane_ray(o, d, (float8)(ray.t_max), 0u, (int8)(0), extent);
+    const vec3x8 shear = shear_of(make3((float8)(direction[kx]), (float8)(direction[ky]), (float8)(direction[kz])));
+    const int8 x = wide.inverse.x < 0.0f, y = wide.inverse.y < 0.0f, z = wide.inverse.z < 0.0f;
+    const vec3x8 low = wide.shift_low, high = wide.shift_high;
+    ray_x16 *rays = &prepared->rays;
+#define STORE(column, value) ((float *)&(column))[lane] = (value)
+#define STORE_NUMBER(column, value) ((int *)&(column))[lane] = (int)(value)
+#define STORE3(columns, values) STORE(columns.x, (values).x), STORE(columns.y, (values).y), STORE(columns.z, (values).z)
+#define STORE3_OF_8(columns, values) STORE(columns.x, (values).x.s0), STORE(columns.y, (values).y.s0), STORE(columns.z, (values).z.s0)
+    STORE3(rays->origin, ray.origin), STORE3(rays->direction, ray.direction);
+    STORE(rays->inverse_square, wide.inverse_square.s0), STORE(rays->pad, wide.pad.s0);
+    STORE_NUMBER(rays->source, RAY_SOURCE(ray.tag)), STORE_NUMBER(rays->source_instance, source_instance);
+    STORE3_OF_8(rays->inverse, wide.inverse), STORE3_OF_8(rays->shift_low, low), STORE3_OF_8(rays->shift_high, high);
+    STORE(rays->turned_origin.x, origin[kx]), STORE(rays->turned_origin.y, origin[ky]), STORE(rays->turned_origin.z, origin[kz]);
+    STORE3_OF_8(rays->shear, shear);
+    STORE_NUMBER(prepared->kx, kx), STORE_NUMBER(prepared->ky, ky), STORE_NUMBER(prepared->kz, kz);
+    STORE3_OF_8(prepared->near_shift, make3(where(x, high.x, low.x), where(y, high.y, low.y), where(z, high.z, low.z)));
+    STORE3_OF_8(prepared->far_shift, make3(where(x, low.x, high.x), where(y, low.y, high.y), where(z, low.z, high.z)));
+    STORE_NUMBER(prepared->near_x, x.s0 & 24), STORE_NUMBER(prepared->near_y, 8 + (y.s0 & 24)), STORE_NUMBER(prepared->near_z, 16 + (z.s0 & 24));
+    STORE_NUMBER(prepared->far_x, 24 - (x.s0 & 24)), STORE_NUMBER(prepared->far_y, 32 - (y.s0 & 24)), STORE_NUMBER(prepared->far_z, 40 - (z.s0 & 24));
+#undef STORE
+#undef STORE_NUMBER
+#undef STORE3
+#undef STORE3_OF_8
+}

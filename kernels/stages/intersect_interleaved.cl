@@ -14,8 +14,6 @@ kernel void intersect_interleaved(SCENE_PARAMS, LIVE_PARAMS, const global Ray *r
     prepare_list(rays, live + first, next, end, sources, 0u, course.world->extent, prepared);
     const uint start = next;
 #define BEGIN(traversal, i) begin(&course, traversal, prepared + (i - start) / PACKET, (i - start) % PACKET)
-#define NODE_STEP(traversal) closest_node_step(&course, traversal)
-#define LEAF_STEP(traversal) closest_leaf_step(&course, traversal)
 #define END(traversal, i)                                           \
     const Nearest nearest = (traversal)->nearest;                   \
     hits[i] = nearest.hit;                                          \
@@ -24,10 +22,8 @@ kernel void intersect_interleaved(SCENE_PARAMS, LIVE_PARAMS, const global Ray *r
     const uint kind = RAY_KIND(rays[live[first + i]].tag);          \
     tally.rays[kind] += 1u;                                         \
     tally.hits[kind] += nearest.hit.primitive != NO_HIT
-    TRACE_IN_TURN(next, end, &course, BEGIN, NODE_STEP, LEAF_STEP, END)
+    TRACE_IN_TURN(next, end, &course, BEGIN, closest, END)
 #undef BEGIN
-#undef NODE_STEP
-#undef LEAF_STEP
 #undef END
     tallies[get_global_id(0)] = tally;
 }

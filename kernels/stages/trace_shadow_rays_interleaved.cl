@@ -16,17 +16,13 @@ kernel void trace_shadow_rays_interleaved(SCENE_PARAMS, const global uint *restr
     prepare_list(rays, list, next, end, instances, row * stride, course.world->extent, prepared);
     const uint start = next;
 #define BEGIN(traversal, i) begin(&course, traversal, prepared + (i - start) / PACKET, (i - start) % PACKET)
-#define NODE_STEP(traversal) any_node_step(&course, traversal)
-#define LEAF_STEP(traversal) any_leaf_step(&course, traversal)
 #define END(traversal, i)                                               \
     const bool occluded = (traversal)->nearest.hit.primitive != NO_HIT; \
     visible[list[i]] = !occluded;                                       \
     tally.rays[RAY_SHADOW] += 1u;                                       \
     tally.hits[RAY_SHADOW] += occluded
-    TRACE_IN_TURN(next, end, &course, BEGIN, NODE_STEP, LEAF_STEP, END)
+    TRACE_IN_TURN(next, end, &course, BEGIN, any, END)
 #undef BEGIN
-#undef NODE_STEP
-#undef LEAF_STEP
 #undef END
     tallies[get_global_id(0) + get_global_size(0) * row] = tally;
 }
