@@ -1,7 +1,7 @@
 // Several rays in turn, by the accelerator in use: those that trace so have a file for it, which gives
 //   Course, course_of(scene)                  what the steps of all rays need
 //   Traversal                                 a ray and how far it is
-//   begin(course, traversal, prepared, lane)  `prepared` must stay where it is
+//   closest_begin(course, traversal, prepared, lane), any_begin: `prepared` must stay where it is
 //   upcoming(course, traversal)               a word for what the ray meets next, which then is on its way to the processor
 //   next_of(course, word)                     NEXT_...; without instances is_node(word), is_leaf(word) and is_through(word) tell the same
 //   closest_node_step(course, traversal), ..._leaf_step, ..._block_step, ..._instance_step, ..._leave, any_...: meets it

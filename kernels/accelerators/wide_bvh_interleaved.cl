@@ -72,11 +72,20 @@ FUNCTION void begin(const Course *course, Traversal *traversal, const PreparedRa
     traversal->children[0] = BVH_THROUGH, traversal->children[1] = 0u;
     vstore8((int8)(INT_MIN), 0, traversal->entered);
     traversal->entered[BVH_WIDTH] = 0;
-    const ray_x8 wide = widened(rays, lane, traversal->t_max);
-    traversal->nearest = nothing_hit(&wide);
     if (!INSTANCES) return;
     traversal->group = course->world, traversal->nodes = course->nodes;
     traversal->world_rays = rays, traversal->world_lane = lane;
+}
+
+FUNCTION void closest_begin(const Course *course, Traversal *traversal, const PreparedRays *rays, uint lane) {
+    begin(course, traversal, rays, lane);
+    const ray_x8 wide = widened(rays, lane, traversal->t_max);
+    traversal->nearest = nothing_hit(&wide);
+}
+
+FUNCTION void any_begin(const Course *course, Traversal *traversal, const PreparedRays *rays, uint lane) {
+    begin(course, traversal, rays, lane);
+    traversal->nearest.hit.primitive = NO_HIT;
 }
 
 /// Which children of the node the ray meets before t_max, and where it enters them, never negative.
@@ -104,10 +113,10 @@ FUNCTION uint size_before(const Traversal *traversal, uint size, float t_max) {
 FUNCTION void push_nearest_last(Traversal *traversal, uint rest, int8 met, float8 enter, uint8 children) {
     const uint size = traversal->size - 1u;
     const int8 lane = (int8)(0, 1, 2, 3, 4, 5, 6, 7);
-    const int8 order = sorted(met ? (as_int8(enter) & (int8)(~7)) | lane : (int8)(-1));
+    const uint bits = mask_bits(met), count = popcount(bits);
+    const int8 order = sorted(met ? (as_int8(enter) & (int8)(~7)) | lane : (int8)(-1), bits);
     vstore8(order, 0, traversal->entered + BVH_WIDTH + size);
     vstore8(picked(children, as_uint8(order)), 0, traversal->children + 1u + size);
-    const uint count = popcount(mask_bits(met));
     traversal->size = count != 0u ? size + count : rest;
 }
 

@@ -13,7 +13,7 @@ kernel void intersect_interleaved(SCENE_PARAMS, LIVE_PARAMS, const global Ray *r
     PreparedRays prepared[ITEMS_PER_CHUNK / PACKET];
     prepare_list(rays, live + first, next, end, sources, 0u, course.world->extent, prepared);
     const uint start = next;
-#define BEGIN(traversal, i) begin(&course, traversal, prepared + (i - start) / PACKET, (i - start) % PACKET)
+#define BEGIN(traversal, i) closest_begin(&course, traversal, prepared + (i - start) / PACKET, (i - start) % PACKET)
 #define END(traversal, i)                                           \
     const Nearest nearest = (traversal)->nearest;                   \
     hits[i] = nearest.hit;                                          \

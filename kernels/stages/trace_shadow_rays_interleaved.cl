@@ -15,7 +15,7 @@ kernel void trace_shadow_rays_interleaved(SCENE_PARAMS, const global uint *restr
     PreparedRays prepared[ITEMS_PER_CHUNK / PACKET];
     prepare_list(rays, list, next, end, instances, row * stride, course.world->extent, prepared);
     const uint start = next;
-#define BEGIN(traversal, i) begin(&course, traversal, prepared + (i - start) / PACKET, (i - start) % PACKET)
+#define BEGIN(traversal, i) any_begin(&course, traversal, prepared + (i - start) / PACKET, (i - start) % PACKET)
 #define END(traversal, i)                                               \
     const bool occluded = (traversal)->nearest.hit.primitive != NO_HIT; \
     visible[list[i]] = !occluded;                                       \
