@@ -20,7 +20,9 @@ typedef struct {
 /// shifts t the more. find_interfaces decides by the faces' errors what does coincide. 0 in scenes without transparent materials.
 #define CROWD_MARGIN (INTERIOR_SIZE > 0u ? 64.0f : 0.0f)
 
-FUNCTION float crowd_margin(Ray ray, float extent) { return CROWD_MARGIN * box_pad(ray.origin, extent) / largest(absolute(ray.direction)); }
+FUNCTION float crowd_margin(Ray ray, float extent) {
+    return INTERIOR_SIZE > 0u ? CROWD_MARGIN * box_pad(ray.origin, extent) / largest(absolute(ray.direction)) : 0.0f;
+}
 
 /// `extent`: of the world.
 FUNCTION Nearest nothing_hit(Ray ray, float extent) {

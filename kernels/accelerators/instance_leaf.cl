@@ -7,11 +7,15 @@
 #include "kernels/primitives/instance_hit.cl"
 
 /// The ray in the space of an instance's group. It leaves a primitive of that instance only if it is the one that it leaves in the world.
-FUNCTION SingleRay prepare_in_group(Scene scene, uint instance, const SingleRay *world) {
+FUNCTION Ray ray_in_instance(Scene scene, uint instance, const SingleRay *world) {
     Ray ray;
     ray.origin = first_lane(world->origin), ray.direction = first_lane(world->direction), ray.t_max = first_lane(world->t_max);
     ray.tag = RAY_TAG(0u, first_lane(world->source_instance) == (int)instance ? (uint)first_lane(world->source) : NO_HIT);
-    SingleRay inner = prepare_single(ray_in_group(scene, instance, ray), group_of(scene, instance)->extent);
+    return ray_in_group(scene, instance, ray);
+}
+
+FUNCTION SingleRay prepare_in_group(Scene scene, uint instance, const SingleRay *world) {
+    SingleRay inner = prepare_single(ray_in_instance(scene, instance, world), group_of(scene, instance)->extent);
     SHARE_WORK(inner, world);
     return inner;
 }

@@ -1,23 +1,37 @@
-// Order among 8 lanes, without branches.
+// Order among 8 lanes.
 #pragma once
 #include "kernels/core/portable.h"
 
-/// Largest first (Batcher's bitonic sort, AFIPS SJCC 1968).
-FUNCTION int8 sorted(int8 v) {
 #define EXCHANGE(partner, lower...)                        \
     {                                                      \
         const int8 other = v.partner;                      \
         v = (int8)(lower) ? min(v, other) : max(v, other); \
     }
+/// Largest first (Batcher's bitonic sort, AFIPS SJCC 1968).
+FUNCTION int8 sorted(int8 v) {
     EXCHANGE(s10325476, 0, -1, -1, 0, 0, -1, -1, 0)
     EXCHANGE(s23016745, 0, 0, -1, -1, -1, -1, 0, 0)
     EXCHANGE(s10325476, 0, -1, 0, -1, -1, 0, -1, 0)
     EXCHANGE(s45670123, 0, 0, 0, 0, -1, -1, -1, -1)
     EXCHANGE(s23016745, 0, 0, -1, -1, 0, 0, -1, -1)
     EXCHANGE(s10325476, 0, -1, 0, -1, 0, -1, 0, -1)
-#undef EXCHANGE
     return v;
 }
+
+/// The lanes whose bits are set, largest first; all others hold -1, less than any of these. They are seldom more than four.
+FUNCTION int8 sorted(int8 v, uint bits) {
+#ifdef __AVX512VL__
+    if (popcount(bits) <= 4) {
+        v = as_int8(__builtin_ia32_compresssi256_mask(v, (int8)(-1), (uchar)bits));
+        EXCHANGE(s10325476, 0, -1, 0, -1, 0, -1, 0, -1)
+        EXCHANGE(s23016745, 0, 0, -1, -1, 0, 0, -1, -1)
+        EXCHANGE(s02134657, 0, 0, -1, 0, 0, 0, -1, 0)
+        return v;
+    }
+#endif
+    return sorted(v);
+}
+#undef EXCHANGE
 
 /// Lane i becomes values[at[i] mod 8].
 FUNCTION uint8 picked(uint8 values, uint8 at) {

@@ -33,6 +33,9 @@ FUNCTION real axis_of(real3 v, uint axis) { return axis == 0u ? v.x : axis == 1u
 /// By which boxes are grown: more than any rounding error of a crossing. `extent`: largest magnitude of a coordinate in the scene.
 FUNCTION real box_pad(real3 origin, float extent) { return 0x1p-20f * (largest(absolute(origin)) + extent); }
 
+/// Of a direction turned so that z is an axis of its largest component.
+FUNCTION real3 shear_of(real3 turned) { return make3(turned.x / turned.z, turned.y / turned.z, 1.0f / turned.z); }
+
 FUNCTION mask are_finite(real3 v) { return fma(v.x, 0.0f, fma(v.y, 0.0f, v.z * 0.0f)) == 0.0f; }
 
 /// kz must be an axis of the largest component of every direction. Rays with anything but finite numbers meet nothing: they end before they begin,
@@ -54,8 +57,7 @@ FUNCTION LaneRay lane_ray(real3 origin, real3 direction, real t_max, uint kz, ma
     ray.shift_high = negate(times(minus(origin, pads), ray.inverse));
     ray.kz = kz, ray.kx = kz == 2u ? 0u : kz + 1u, ray.ky = kz == 0u ? 2u : kz - 1u;
     ray.turned_origin = make3(axis_of(origin, ray.kx), axis_of(origin, ray.ky), axis_of(origin, ray.kz));
-    const real z = axis_of(direction, ray.kz);
-    ray.shear = make3(axis_of(direction, ray.kx) / z, axis_of(direction, ray.ky) / z, axis_of(ray.inverse, ray.kz));
+    ray.shear = shear_of(make3(axis_of(direction, ray.kx), axis_of(direction, ray.ky), axis_of(direction, ray.kz)));
     return ray;
 }
 

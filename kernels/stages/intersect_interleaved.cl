@@ -10,8 +10,10 @@ kernel void intersect_interleaved(SCENE_PARAMS, LIVE_PARAMS, const global Ray *r
     Tally tally = {{0u}, {0u}};
     uint next = get_global_id(0) * ITEMS_PER_WORK_ITEM;
     const uint end = min(next + ITEMS_PER_WORK_ITEM, count);
-#define BEGIN(traversal, i) begin(&course, traversal, rays[live[first + i]], instance_at(sources, live[first + i]))
-#define STEP(traversal) closest_step(&course, traversal)
+    PreparedRays prepared[ITEMS_PER_CHUNK / ROW];
+    prepare_list(rays, live + first, next, end, sources, 0u, course.world->extent, prepared);
+    const uint start = next;
+#define BEGIN(traversal, i) closest_begin(&course, traversal, prepared + (i - start) / ROW, (i - start) % ROW, rays[live[first + i]])
 #define END(traversal, i)                                           \
     const Nearest nearest = (traversal)->nearest;                   \
     hits[i] = nearest.hit;                                          \
@@ -20,9 +22,8 @@ kernel void intersect_interleaved(SCENE_PARAMS, LIVE_PARAMS, const global Ray *r
     const uint kind = RAY_KIND(rays[live[first + i]].tag);          \
     tally.rays[kind] += 1u;                                         \
     tally.hits[kind] += nearest.hit.primitive != NO_HIT
-    TRACE_IN_TURN(next, end, BEGIN, STEP, END)
+    TRACE_IN_TURN(next, end, &course, BEGIN, closest, END)
 #undef BEGIN
-#undef STEP
 #undef END
     tallies[get_global_id(0)] = tally;
 }

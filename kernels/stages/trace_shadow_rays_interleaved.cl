@@ -12,16 +12,17 @@ kernel void trace_shadow_rays_interleaved(SCENE_PARAMS, const global uint *restr
     Tally tally = {{0u}, {0u}};
     uint next = get_global_id(0) * ITEMS_PER_WORK_ITEM;
     const uint end = min(next + ITEMS_PER_WORK_ITEM, counts[row]);
-#define BEGIN(traversal, i) begin(&course, traversal, rays[list[i]], instance_at(instances, list[i] - row * stride))
-#define STEP(traversal) any_step(&course, traversal)
+    PreparedRays prepared[ITEMS_PER_CHUNK / ROW];
+    prepare_list(rays, list, next, end, instances, row * stride, course.world->extent, prepared);
+    const uint start = next;
+#define BEGIN(traversal, i) any_begin(&course, traversal, prepared + (i - start) / ROW, (i - start) % ROW)
 #define END(traversal, i)                                               \
     const bool occluded = (traversal)->nearest.hit.primitive != NO_HIT; \
-    visible[list[i]] = !occluded;                                       \
+    if (occluded) visible[list[i]] = 0;                                 \
     tally.rays[RAY_SHADOW] += 1u;                                       \
     tally.hits[RAY_SHADOW] += occluded
-    TRACE_IN_TURN(next, end, BEGIN, STEP, END)
+    TRACE_IN_TURN(next, end, &course, BEGIN, any, END)
 #undef BEGIN
-#undef STEP
 #undef END
     tallies[get_global_id(0) + get_global_size(0) * row] = tally;
 }

@@ -13,7 +13,7 @@ kernel void trace_shadow_rays_singly(SCENE_PARAMS, const global uint *restrict l
     FOR_EACH_ITEM_SERIALLY(i, counts[row]) {
         const uint k = list[i];
         const bool occluded = scene_any_hit(scene, rays[k], instance_at(instances, k - row * stride), 0);
-        visible[k] = !occluded;
+        if (occluded) visible[k] = 0;
         tally.rays[RAY_SHADOW] += 1u;
         tally.hits[RAY_SHADOW] += occluded;
     }

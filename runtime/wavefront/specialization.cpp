@@ -37,8 +37,10 @@ void add_accelerator(const CompiledScene &scene, RayLanes lanes, Sources &source
     sources["generated/single_ray.cl"] = include(scalar ? "accelerators/single_ray_x1.cl" : "accelerators/single_ray_x8.cl");
     sources["generated/levels.cl"] = include(fmt::format("accelerators/{}.cl", levels));
     sources["generated/work.cl"] = include("accelerators/no_work.cl");
-    if (scene.accelerator->interleaved)
+    if (scene.accelerator->interleaved) {
         sources["generated/interleaved_accelerator.cl"] = include(fmt::format("accelerators/{}_interleaved.cl", scene.accelerator->file));
+        sources["generated/interleaved_levels.cl"] = include(fmt::format("accelerators/interleaved_{}.cl", levels));
+    }
     if (!scene.accelerator->packets) return;
     sources["generated/packet_accelerator.cl"] = include(fmt::format("accelerators/{}_packets.cl", scene.accelerator->file));
     sources["generated/packet_levels.cl"] = include(fmt::format("accelerators/packet_{}.cl", levels));

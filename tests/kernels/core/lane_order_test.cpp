@@ -42,6 +42,18 @@ TEST_P(LaneOrder, SortsAllZerosAndOnes) {
     }
 }
 
+/// The same of every subset.
+TEST_P(LaneOrder, SortsThoseOfEverySubset) {
+    std::vector<Lanes> lanes(subsets * subsets);
+    for (uint n = 0; n < lanes.size(); ++n)
+        for (uint lane = 0; lane < 8; ++lane) lanes[n][lane] = n >> lane & 1 ? int(n / subsets >> lane & 1) : -1;
+    const std::vector<Lanes> found = results("vstore8(as_uint8(sorted(v, n & 255u)), 0, to);", lanes);
+    for (uint n = 0; n < lanes.size(); ++n) {
+        std::ranges::sort(lanes[n], std::greater());
+        ASSERT_EQ(found[n], lanes[n]) << n;
+    }
+}
+
 TEST_P(LaneOrder, PicksByTheLastThreeBits) {
     std::vector<Lanes> lanes(subsets);
     for (uint n = 0; n < subsets; ++n)

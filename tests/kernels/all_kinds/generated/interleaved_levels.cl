@@ -1,0 +1,2 @@
+// With everything, for lint and editors.
+#include "kernels/accelerators/interleaved_two_levels.cl"
