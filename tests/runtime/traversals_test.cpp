@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/probe.h"
-
 namespace brandung {
 namespace {
 
@@ -50,7 +48,7 @@ TEST(Traversals, WhatACpuTakesHasEightLanes) {
 }
 
 TEST(Traversals, ADeviceIsToldFromItsType) {
-    EXPECT_TRUE(test_device().info().cpu);
+    EXPECT_TRUE(Device::select().info().cpu);
     const Device device = Device::select("", 0, true);
     EXPECT_FALSE(device.info().cpu);
     EXPECT_EQ(device.items_per_work_item(), 1u);

@@ -1,5 +1,7 @@
 #include "tests/support/probe.h"
 
+#include <cstdlib>
+
 namespace brandung {
 namespace {
 
@@ -13,7 +15,7 @@ Sources with_text(Sources sources, const std::string &text) {
 }  // namespace
 
 Device &test_device() {
-    static Device device = Device::select();
+    static Device device = Device::select("", 0, std::getenv("BRANDUNG_AS_GPU") != nullptr);
     return device;
 }
 

@@ -9,7 +9,7 @@
 
 namespace brandung {
 
-/// The process's one device: programs are built once per test executable.
+/// The process's one device: programs are built once per test executable. With BRANDUNG_AS_GPU in the environment it has the kernels of GPUs.
 Device &test_device();
 
 class Probe {
