@@ -15,9 +15,10 @@ Claim claim_of(const RayAnswers &answers, std::size_t i) {
     return {hit.primitive != NO_HIT, hit.primitive, answers.instances[i], hit.t};
 }
 
-bool differ(const Claim &a, const Claim &b) {
+/// By more than so much of t, or in what is met.
+bool differ(const Claim &a, const Claim &b, float part) {
     if (a.meets != b.meets || !a.meets) return a.meets != b.meets;
-    return a.primitive != b.primitive || a.instance != b.instance || std::abs(a.t - b.t) > 0x1p-20f * std::max(a.t, b.t);
+    return a.primitive != b.primitive || a.instance != b.instance || std::abs(a.t - b.t) > part * std::max(a.t, b.t);
 }
 
 }  // namespace
@@ -28,10 +29,9 @@ std::optional<Disagreement> compare_answers(const Judge &judge, const RayQueue &
     std::vector<bool> is_mismatch;
     for (std::size_t i = 0; i < queue.count(); ++i) {
         const Claim our_claim = claim_of(ours, i), their_claim = claim_of(theirs, i);
-        const bool mismatch = differ(our_claim, their_claim);
-        if (!mismatch && i % judged_of != 0) continue;
+        if (!differ(our_claim, their_claim, 0x1p-20f) && i % judged_of != 0) continue;
         disputes.push_back({queue.rays[i], queue.shadow, our_claim, their_claim});
-        is_mismatch.push_back(mismatch);
+        is_mismatch.push_back(differ(our_claim, their_claim, 0x1p-12f));
     }
     Disagreement all{.judged = disputes.size()};
     for (std::size_t first = 0; first < disputes.size(); first += judged_at_once) {

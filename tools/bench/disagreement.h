@@ -10,9 +10,9 @@ namespace brandung {
 
 struct Disagreement {
     /// Rays of which one meets something and the other nothing, or whose closest hits are on different primitives, or whose t differ by more than
-    /// 2^-20.
+    /// 2^-12.
     std::uint64_t mismatches = 0;
-    std::uint64_t judged = 0;  ///< all of these, and every 16th ray
+    std::uint64_t judged = 0;  ///< all of these, those whose t differ by more than 2^-20, and every 16th ray
     std::uint64_t ours_wrong = 0, theirs_wrong = 0;
     std::uint64_t ambiguous = 0;  ///< mismatches of which neither is wrong
 };

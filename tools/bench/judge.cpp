@@ -36,9 +36,7 @@ Judge::Findings Judge::findings(const Ray &ray) const {
     for (uint instance = 0; instance < places; ++instance) {
         const RayInSpace here = instance == 0 ? ray_in_world(ray) : ray_in_group(ray, geometry_.instances[instance].to_group);
         std::vector<Crossing> crossings;
-        trees_[geometry_.space_of(instance)].add_crossings_of(crossings, here, instance);
-        for (const Crossing &crossing : crossings)
-            if (crossing.certain) all.end = std::min(all.end, crossing.last);
+        trees_[geometry_.space_of(instance)].add_crossings_of(crossings, here, instance, all.end);
         for (const double last : covers(here, geometry_, crossings)) all.end = std::min(all.end, last);
         all.crossings.insert(all.crossings.end(), crossings.begin(), crossings.end());
     }

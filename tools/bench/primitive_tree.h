@@ -1,6 +1,6 @@
 /// PrimitiveTree: which primitives of a space a ray may meet, for the judge: as sure as looking at all, and owing nothing to what is judged.
 #pragma once
-#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "tools/bench/crossings.h"
@@ -13,8 +13,8 @@ class PrimitiveTree {
 public:
     /// Of a geometry that must live as long.
     PrimitiveTree(const SceneGeometry &geometry, const GeometrySpace &space);
-    /// Adds all that add_crossings() finds.
-    void add_crossings_of(std::vector<Crossing> &crossings, const RayInSpace &ray, uint instance) const;
+    /// Adds what add_crossings() finds that may be met at `end` [t] or before; no tracer passes that, and certain crossings draw it nearer.
+    void add_crossings_of(std::vector<Crossing> &crossings, const RayInSpace &ray, uint instance, double &end) const;
 
 private:
     struct Box {
@@ -22,10 +22,23 @@ private:
     };
 
     static Box box_of(const GeometryPrimitive &primitive);
-    static bool may_meet(const RayInSpace &ray, const Box &box);
-    void build(std::size_t node, uint level, std::size_t first, std::size_t end);
-    void walk(std::vector<Crossing> &crossings, const RayInSpace &ray, uint instance, std::size_t node, uint level, std::size_t first,
-              std::size_t end) const;
+    struct Node {
+        std::size_t box, first, end;  ///< of its primitives, in numbers_
+        uint level;
+    };
+    struct Search {
+        std::vector<Crossing> &crossings;
+        const RayInSpace &ray;
+        uint instance;
+        double &end;
+    };
+
+    static bool may_meet(const RayInSpace &ray, const Box &box, double end);
+    static double depth_of(const RayInSpace &ray, const Box &box);
+    std::pair<Node, Node> halves(const Node &node) const;
+    void build(const Node &node);
+    void find_in_leaf(Search &search, const Node &node) const;
+    void walk(Search &search, const Node &node) const;
 
     const SceneGeometry &geometry_;
     std::vector<uint> numbers_;

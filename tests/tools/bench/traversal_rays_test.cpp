@@ -100,7 +100,7 @@ std::optional<Disagreement> compare_on_floor(const RayAnswers &ours, const RayAn
 TEST(Disagreement, CountsWhoIsWrong) {
     const RayAnswers right = find_floor(floor_rays({"camera"})[0].queue);
     RayAnswers wrong = right;
-    wrong.hits[17].primitive = NO_HIT, wrong.hits[99].t *= 1.00001f;
+    wrong.hits[17].primitive = NO_HIT, wrong.hits[99].t *= 1.001f;
     const Disagreement ours = compare_on_floor(wrong, right).value(), theirs = compare_on_floor(right, wrong).value();
     EXPECT_EQ(ours.mismatches, 2u);
     EXPECT_EQ(ours.judged, 2u + 4096 / 16);
