@@ -42,10 +42,10 @@ struct CompiledScene {
     std::size_t primitive_count = 0;           ///< those of a group count once
     std::size_t texture_count = 0;             ///< pictures on surfaces
     std::size_t group_count = 0, instance_count = 0;
-    std::vector<std::size_t> counts;           ///< of primitives, by kind in use
-    uint dark_emitters = 0;                    ///< emissive shapes that would be lights, but for integrator.light_samples
-    std::map<std::string, uint> light_counts;  ///< of lights and emissive shapes, by kind
-    double accelerator_seconds = 0;
+    std::vector<std::size_t> counts;                    ///< of primitives, by kind in use
+    uint dark_emitters = 0;                             ///< emissive shapes that would be lights, but for integrator.light_samples
+    std::map<std::string, uint> light_counts;           ///< of lights and emissive shapes, by kind
+    double accelerator_seconds = 0;                     ///< from the shapes to nodes and blocks in the arena
     std::size_t node_bytes = 0;                         ///< of accelerators
     std::size_t block_bytes = 0;                        ///< of the primitives and instances in their blocks
     std::size_t shading_bytes = 0;                      ///< of shading records, and of vertices' normals, coordinates and colours

@@ -65,34 +65,34 @@ FUNCTION void let_run(Turns *turns, Traversal *traversal) {
 
 /// Rays next ... end - 1: BEGIN(traversal, i) lets ray i begin, END(traversal, i) takes its answer; `kind`: of its steps, closest or any. They begin
 /// in their order and end in any.
-#define TRACE_IN_TURN(next, end, course, BEGIN, kind, END)                                                                              \
-    Traversal traversals_[RAYS_IN_TURN];                                                                                                \
-    PreparedRays inside_[(RAYS_IN_TURN + PACKET - 1u) / PACKET];                                                                        \
-    Turns turns_;                                                                                                                       \
-    turns_.running_count = 0u;                                                                                                          \
-    turns_.counts = 0ul;                                                                                                                \
-    for (; turns_.running_count < RAYS_IN_TURN && next < end; ++next) {                                                                 \
-        Traversal *traversal_ = traversals_ + turns_.running_count;                                                                     \
-        if (INSTANCES) traversal_->inside = inside_ + turns_.running_count / PACKET, traversal_->place = turns_.running_count % PACKET; \
-        BEGIN(traversal_, next);                                                                                                        \
-        traversal_->number = next;                                                                                                      \
-        let_run(&turns_, traversal_);                                                                                                   \
-    }                                                                                                                                   \
-    while (turns_.running_count > 0u) {                                                                                                 \
-        STEPS_IN_TURN(NEXT_NODE, kind##_node_step, course)                                                                              \
-        STEPS_IN_TURN(NEXT_LEAF, kind##_leaf_step, course)                                                                              \
-        if (INSTANCES) {                                                                                                                \
-            STEPS_IN_TURN(NEXT_BLOCK, kind##_block_step, course)                                                                        \
-            STEPS_IN_TURN(NEXT_INSTANCE, kind##_instance_step, course)                                                                  \
-            STEPS_IN_TURN(NEXT_LEAVE, kind##_leave, course)                                                                             \
-        }                                                                                                                               \
-        sort_running(course, &turns_);                                                                                                  \
-        for (uint k_ = 0u; k_ < count_of(turns_.counts, NEXT_THROUGH); ++k_) {                                                          \
-            Traversal *traversal_ = turns_.lists[NEXT_THROUGH][k_];                                                                     \
-            END(traversal_, traversal_->number);                                                                                        \
-            if (next == end) continue;                                                                                                  \
-            BEGIN(traversal_, next);                                                                                                    \
-            traversal_->number = next++;                                                                                                \
-            let_run(&turns_, traversal_);                                                                                               \
-        }                                                                                                                               \
+#define TRACE_IN_TURN(next, end, course, BEGIN, kind, END)                                                                        \
+    Traversal traversals_[RAYS_IN_TURN];                                                                                          \
+    PreparedRays inside_[(RAYS_IN_TURN + ROW - 1u) / ROW];                                                                        \
+    Turns turns_;                                                                                                                 \
+    turns_.running_count = 0u;                                                                                                    \
+    turns_.counts = 0ul;                                                                                                          \
+    for (; turns_.running_count < RAYS_IN_TURN && next < end; ++next) {                                                           \
+        Traversal *traversal_ = traversals_ + turns_.running_count;                                                               \
+        if (INSTANCES) traversal_->inside = inside_ + turns_.running_count / ROW, traversal_->place = turns_.running_count % ROW; \
+        BEGIN(traversal_, next);                                                                                                  \
+        traversal_->number = next;                                                                                                \
+        let_run(&turns_, traversal_);                                                                                             \
+    }                                                                                                                             \
+    while (turns_.running_count > 0u) {                                                                                           \
+        STEPS_IN_TURN(NEXT_NODE, kind##_node_step, course)                                                                        \
+        STEPS_IN_TURN(NEXT_LEAF, kind##_leaf_step, course)                                                                        \
+        if (INSTANCES) {                                                                                                          \
+            STEPS_IN_TURN(NEXT_BLOCK, kind##_block_step, course)                                                                  \
+            STEPS_IN_TURN(NEXT_INSTANCE, kind##_instance_step, course)                                                            \
+            STEPS_IN_TURN(NEXT_LEAVE, kind##_leave, course)                                                                       \
+        }                                                                                                                         \
+        sort_running(course, &turns_);                                                                                            \
+        for (uint k_ = 0u; k_ < count_of(turns_.counts, NEXT_THROUGH); ++k_) {                                                    \
+            Traversal *traversal_ = turns_.lists[NEXT_THROUGH][k_];                                                               \
+            END(traversal_, traversal_->number);                                                                                  \
+            if (next == end) continue;                                                                                            \
+            BEGIN(traversal_, next);                                                                                              \
+            traversal_->number = next++;                                                                                          \
+            let_run(&turns_, traversal_);                                                                                         \
+        }                                                                                                                         \
     }

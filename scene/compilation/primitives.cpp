@@ -112,18 +112,17 @@ std::vector<Reference> references_of(const Scene &scene, const Space &space, boo
     return references;
 }
 
-/// The accelerator of a space.
+/// The accelerator of a space, which is built from its shapes until its nodes and blocks are in the arena.
 Group add_space(const Scene &scene, const Space &space, bool is_world, const WatchAccelerator &watch, CompiledScene &compiled, Arena &arena) {
+    const auto start = std::chrono::steady_clock::now();
     const uint kinds = static_cast<uint>(compiled.primitives.size());
     const std::vector<Reference> references = references_of(scene, space, is_world, compiled.primitives);
-    const auto start = std::chrono::steady_clock::now();
     const AcceleratorKind &kind = *compiled.accelerator;
     BuildProgress progress = watch ? BuildProgress([&](double part) { watch(kind, part); }) : BuildProgress();
     const Hulls hulls = [&](uint i) {
         return i < space.primitives.size() ? space.primitives[i].shape->hull(space.primitives[i].i) : hull_of_box(references[i].bounds);
     };
     const BuiltAccelerator built = kind.build(references, hulls, scene.accelerator_quality, progress);
-    compiled.accelerator_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     Group group{};
     group.extent = extent_of(references);
@@ -137,6 +136,7 @@ Group add_space(const Scene &scene, const Space &space, bool is_world, const Wat
     }
     group.nodes = arena.add(built.nodes, built.node_count);
     compiled.node_bytes += built.nodes.size();
+    compiled.accelerator_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return group;
 }
 

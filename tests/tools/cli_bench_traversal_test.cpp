@@ -82,8 +82,9 @@ TEST(CliBenchTraversal, AgreesWithEmbreeButForRounding) {
     EXPECT_EQ(all.at("scenes").size(), 3u);
     for (const json &row : all.at("rows")) {
         EXPECT_EQ(row.at("ours_wrong"), 0) << row;
-        EXPECT_LT(row.at("mismatches"), 1e-2 * row.at("count").get<double>()) << row;
-        EXPECT_EQ(row.at("judged"), row.at("mismatches"));
+        EXPECT_LE(row.at("mismatches"), 4) << row;
+        EXPECT_LE(row.at("ambiguous"), 4) << row;
+        EXPECT_GE(row.at("judged").get<double>(), row.at("count").get<double>() / 16) << "whatever both say";
         const double speed = row.at("mrays_per_s");
         for (const char *end : {"", "_high", "_robust"}) {
             const double best = row.at(std::string("embree_best") + end);

@@ -12,12 +12,14 @@ EmbreePeer::EmbreePeer(const SceneGeometry &, uint) { check_built_in(); }
 EmbreePeer::~EmbreePeer() = default;
 std::string EmbreePeer::version() const { return ""; }
 uint EmbreePeer::native_width() const { return 0; }
+std::string EmbreePeer::instructions() const { return ""; }
+void EmbreePeer::build_again() {}
 const std::vector<PeerScene> &EmbreePeer::scenes() const {
     static const std::vector<PeerScene> none;
     return none;
 }
-void EmbreePeer::take(const RayQueue &) {}
-bool EmbreePeer::can_trace(const PeerApi &) const { return false; }
+void EmbreePeer::take(const RaySpan &) {}
+bool EmbreePeer::can_trace(const PeerApi &, bool) const { return false; }
 double EmbreePeer::trace(std::size_t, const PeerApi &) { return 0; }
 RayAnswers EmbreePeer::answers() const { return {}; }
 

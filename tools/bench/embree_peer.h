@@ -13,18 +13,18 @@ namespace brandung {
 /// One of Embree's structures for a scene.
 struct PeerScene {
     const char *name;  ///< medium, high: Embree's default, by the quality of the build; robust: its scene flag, at medium quality
-    bool robust;
-    double build_seconds = 0;
-    std::size_t bytes = 0;  ///< that Embree has allocated for it
+    bool high, robust;
+    std::vector<double> build_seconds = {};  ///< of each time that it was built
+    std::size_t bytes = 0;                   ///< that Embree has allocated for it
 };
 
-/// One of Embree's functions for tracing: rtcIntersect1 ... rtcIntersect16, or rtcOccluded1 ..., with a flag of its context.
+/// One of Embree's functions for tracing: rtcIntersect1, 4, 8 or 16, or rtcOccluded1 ..., with a flag of its context.
 struct PeerApi {
     uint width;
     bool coherent;
     std::string name() const { return std::to_string(width) + (coherent ? " coherent" : " incoherent"); }
 };
-inline constexpr std::array<PeerApi, 6> peer_apis = {{{1, false}, {1, true}, {8, false}, {8, true}, {16, false}, {16, true}}};
+inline constexpr std::array<PeerApi, 8> peer_apis = {{{1, false}, {1, true}, {4, false}, {4, true}, {8, false}, {8, true}, {16, false}, {16, true}}};
 
 class EmbreePeer {
 public:
@@ -40,11 +40,16 @@ public:
     std::string version() const;
     /// The widest packets that it traces as such on this machine: 4, 8 or 16.
     uint native_width() const;
+    /// The instructions it was made for that this processor has, as far as its width and the processor tell, for it keeps its choice to itself:
+    /// "AVX-512", "AVX2", "AVX" or "SSE".
+    std::string instructions() const;
+    /// Builds all scenes once more, for their times.
+    void build_again();
     const std::vector<PeerScene> &scenes() const;
     /// Rays for trace(), which must live as long.
-    void take(const RayQueue &queue);
+    void take(const RaySpan &rays);
     /// Whether Embree comes back: in scenes with instances rtcOccluded16 of 3.13.5 loops for ever with the flag for coherent rays.
-    bool can_trace(const PeerApi &api) const;
+    bool can_trace(const PeerApi &api, bool any) const;
     /// All of them; gives the time that it took [s].
     double trace(std::size_t scene, const PeerApi &api);
     /// What the last trace() has found.

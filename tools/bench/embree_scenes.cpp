@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <bit>
+#include <unordered_map>
+
 #include "runtime/opencl/error.h"
 #include "runtime/opencl/seconds_now.h"
 
@@ -12,10 +15,19 @@ namespace {
     throw Error(fmt::format("Embree: {} failed with error {}", what, static_cast<int>(rtcGetDeviceError(device))));
 }
 
+struct HashOfPlace {
+    std::size_t operator()(const vec3 &p) const {
+        std::uint64_t hash = 0;
+        for (int axis = 0; axis < 3; ++axis) hash = (hash ^ std::bit_cast<uint>(p[axis])) * 0x9e3779b97f4a7c15u;
+        return hash ^ hash >> 32;
+    }
+};
+
 }  // namespace
 
 EmbreeScenes::SharedBuffers EmbreeScenes::buffers_of(const SceneGeometry &geometry, const GeometrySpace &space) {
     SharedBuffers buffers;
+    std::unordered_map<vec3, uint, HashOfPlace> places;
     for (uint i = space.first; i < space.end; ++i) {
         const GeometryPrimitive &primitive = geometry.primitives[i];
         if (primitive.kind == GeometryPrimitive::Kind::sphere) {
@@ -23,8 +35,9 @@ EmbreeScenes::SharedBuffers EmbreeScenes::buffers_of(const SceneGeometry &geomet
             continue;
         }
         for (const vec3 &corner : {primitive.a, primitive.b, primitive.c}) {
-            buffers.indices.push_back(static_cast<uint>(buffers.corners.size()));
-            buffers.corners.push_back(corner);
+            const auto [place, is_new] = places.try_emplace(corner, static_cast<uint>(buffers.corners.size()));
+            if (is_new) buffers.corners.push_back(corner);
+            buffers.indices.push_back(place->second);
         }
         buffers.triangle_numbers.push_back(i);
     }
@@ -38,34 +51,42 @@ EmbreeScenes::EmbreeScenes(const SceneGeometry &geometry, uint threads)
     rtcSetDeviceMemoryMonitorFunction(
         device_, [](void *sum, ssize_t bytes, bool) { return *static_cast<std::atomic<std::int64_t> *>(sum) += bytes, true; }, &allocated_);
     for (const GeometrySpace &space : geometry.spaces) buffers_.push_back(buffers_of(geometry, space));
-    build("medium", false, RTC_BUILD_QUALITY_MEDIUM), build("high", false, RTC_BUILD_QUALITY_HIGH);
-    build("robust", true, RTC_BUILD_QUALITY_MEDIUM);
+    list_ = {{"medium", false, false}, {"high", true, false}, {"robust", false, true}};
+    for (PeerScene &scene : list_) built_.push_back(build(scene));
+}
+
+void EmbreeScenes::build_again() {
+    for (PeerScene &scene : list_) release(build(scene));
+}
+
+void EmbreeScenes::release(const Built &built) {
+    rtcReleaseScene(built.world);
+    for (const RTCScene group : built.groups) rtcReleaseScene(group);
 }
 
 EmbreeScenes::~EmbreeScenes() {
-    for (const RTCScene scene : built_) rtcReleaseScene(scene);
-    for (const RTCScene scene : groups_) rtcReleaseScene(scene);
+    for (const Built &built : built_) release(built);
     rtcReleaseDevice(device_);
 }
 
 uint EmbreeScenes::number_of(uint instance, uint geometry, uint primitive) const {
-    const std::size_t space = instance == 0 ? 0 : geometry_.instances[instance].group + 1;
-    return (*buffers_[space].numbers[geometry])[primitive];
+    return (*buffers_[geometry_.space_of(instance)].numbers[geometry])[primitive];
 }
 
-void EmbreeScenes::build(const char *name, bool robust, RTCBuildQuality quality) {
+EmbreeScenes::Built EmbreeScenes::build(PeerScene &made) {
+    const RTCBuildQuality quality = made.high ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM;
     const std::int64_t before = allocated_;
     const double start = seconds_now();
-    std::vector<RTCScene> of_groups;
-    for (std::size_t space = 1; space < buffers_.size(); ++space) of_groups.push_back(new_scene(space, robust, quality));
-    for (const RTCScene group : of_groups) rtcCommitScene(group);
-    const RTCScene world = new_scene(0, robust, quality);
-    for (uint i = 1; i < geometry_.instances.size(); ++i) add_instance(world, of_groups[geometry_.instances[i].group], i);
-    rtcCommitScene(world);
+    Built built{};
+    for (std::size_t space = 1; space < buffers_.size(); ++space) built.groups.push_back(new_scene(space, made.robust, quality));
+    for (const RTCScene group : built.groups) rtcCommitScene(group);
+    built.world = new_scene(0, made.robust, quality);
+    for (uint i = 1; i < geometry_.instances.size(); ++i) add_instance(built.world, built.groups[geometry_.instances[i].group], i);
+    rtcCommitScene(built.world);
+    made.build_seconds.push_back(seconds_now() - start);
     if (rtcGetDeviceError(device_) != RTC_ERROR_NONE) fail(device_, "building a scene");
-    groups_.insert(groups_.end(), of_groups.begin(), of_groups.end());
-    built_.push_back(world);
-    list_.push_back({name, robust, seconds_now() - start, static_cast<std::size_t>(allocated_ - before)});
+    made.bytes = static_cast<std::size_t>(allocated_ - before);
+    return built;
 }
 
 RTCScene EmbreeScenes::new_scene(std::size_t space, bool robust, RTCBuildQuality quality) {

@@ -1,10 +1,9 @@
-/// Judge: of two tracers that disagree about a ray, who is wrong.
+/// Judge: of what tracers say about a ray, what is wrong.
 #pragma once
 #include <span>
 #include <vector>
 
-#include "kernels/core/items.h"
-#include "tools/bench/scene_geometry.h"
+#include "tools/bench/primitive_tree.h"
 
 namespace brandung {
 
@@ -25,10 +24,23 @@ struct Verdict {
     bool ours_wrong, theirs_wrong;
 };
 
-/// By every primitive of the scene, in double. What a tracer may say is what the rounding of floats explains: a hit within it of an edge, and one of
-/// hits between whose t it cannot tell. Of each sum of products the bound is 2^-20 of the products' magnitudes, some four times what the usual
-/// formulas in float err by; in the space of an instance, to which tracers transform the ray by matrices that are rounded themselves, 2^-18.
-/// Primitives are triangles and spheres.
-std::vector<Verdict> judge(const SceneGeometry &geometry, std::span<const Dispute> disputes);
+/// In double, by all primitives, which must be triangles and spheres. What a tracer may say is what it may find that sees each vertex a little beside
+/// its place, by 2^-21 of the distance from the ray's origin, a vertex always at the same place for a ray: twice what the watertight test of Woop et
+/// al. errs by, three roundings in each of two coordinates. (In the space of an instance, to which tracers transform the ray by matrices that are
+/// rounded themselves, it is 2^-18 of the magnitudes of all terms.) So a hit may be within that of an edge, and of hits between whose t that does not
+/// decide each may be the first. But a ray that passes an edge or a vertex that triangles share, and around which they close, must meet one of them.
+class Judge {
+public:
+    /// Of a geometry that must live as long.
+    explicit Judge(const SceneGeometry &geometry);
+    std::vector<Verdict> judge(std::span<const Dispute> disputes) const;
+
+private:
+    struct Findings;
+    Findings findings(const Ray &ray) const;
+
+    const SceneGeometry &geometry_;
+    std::vector<PrimitiveTree> trees_;  ///< by space
+};
 
 }  // namespace brandung

@@ -41,7 +41,7 @@ bool SceneGeometry::has(GeometryPrimitive::Kind kind) const {
     return std::ranges::find(primitives, kind, &GeometryPrimitive::kind) != primitives.end();
 }
 
-const GeometrySpace &SceneGeometry::space_of(uint instance) const { return spaces[instance == 0 ? 0 : instances[instance].group + 1]; }
+std::size_t SceneGeometry::space_of(uint instance) const { return instance == 0 ? 0 : instances[instance].group + 1; }
 
 SceneGeometry geometry_of(const Scene &scene, const CompiledScene &compiled) {
     SceneGeometry geometry;

@@ -23,8 +23,8 @@ struct SceneGeometry {
     std::vector<GeometrySpace> spaces;          ///< the world, then the groups
     std::vector<Instance> instances;            ///< by number, 0 being the world, which is not in any; empty in scenes without
     bool has(GeometryPrimitive::Kind kind) const;
-    /// Of an instance; 0 is the world.
-    const GeometrySpace &space_of(uint instance) const;
+    /// The place in `spaces` of an instance's; 0 is the world.
+    std::size_t space_of(uint instance) const;
 };
 
 /// `compiled` must still have its arena.

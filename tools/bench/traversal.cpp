@@ -12,7 +12,7 @@
 namespace brandung {
 namespace {
 
-/// Functions of Embree that take so many times as long as the fastest for the same scene are measured no more.
+/// Functions of Embree that take so many times as long in the first round as the fastest for the same scene are measured no more.
 constexpr double slow = 2;
 
 void append(RayAnswers &all, const RayAnswers &part) {
@@ -41,9 +41,10 @@ public:
                   .instances = compiled.instance_count,
                   .node_bytes = compiled.node_bytes,
                   .block_bytes = compiled.block_bytes,
-                  .build_seconds = compiled.accelerator_seconds};
+                  .build_seconds = {compiled.accelerator_seconds}};
         make_rays(scene);
         if (trial.embree && goes_on("Embree builds")) add_peer();
+        build_again(scene);
     }
 
     /// Everything once, to warm up, and what it finds; false where it was ended.
@@ -73,11 +74,22 @@ private:
         sets_ = make_ray_sets(trial_.rays, camera, shadow_light(scene), geometry_, find_hits);
     }
 
+    /// Ours by a compilation of its own, of which only the accelerator's time counts.
+    void build_again(const Scene &scene) {
+        for (uint build = 2; build <= trial_.builds && goes_on(fmt::format("build {} of {}", build, trial_.builds)); ++build) {
+            const CompileOptions options = {.accelerator = ours_.compiled.accelerator, .limit = limit_of(device_)};
+            result.build_seconds.push_back(compile(scene, options).accelerator_seconds);
+            if (peer_) peer_->build_again();
+        }
+        if (peer_) result.peer_scenes = peer_->scenes();
+    }
+
     void add_peer() {
         result.peer_refusal = EmbreePeer::refusal(geometry_);
         if (!result.peer_refusal.empty()) return;
         peer_.emplace(geometry_, device_.info().compute_units);
-        result.peer_version = peer_->version(), result.peer_width = peer_->native_width(), result.peer_scenes = peer_->scenes();
+        judge_.emplace(geometry_);
+        result.peer_version = peer_->version(), result.peer_width = peer_->native_width(), result.peer_instructions = peer_->instructions();
     }
 
     bool check_ours(const RaySet &set) {
@@ -93,8 +105,10 @@ private:
             row.different = count_different(found, *first);
             if (!peer_ || set.queue.count() == 0) continue;
             if (!robust) robust = robust_answers(set.queue);
-            goes_on(set.name + ", judging");
-            row.disagreement = of_first && row.different == 0 ? of_first : compare_answers(geometry_, set.queue, found, *robust);
+            row.disagreement = of_first && row.different == 0
+                                   ? of_first
+                                   : compare_answers(*judge_, set.queue, found, *robust, [&] { return goes_on(set.name + ", judging"); });
+            if (!row.disagreement) return false;
             if (!of_first) of_first = row.disagreement;
         }
         return true;
@@ -102,18 +116,18 @@ private:
 
     RayAnswers robust_answers(const RayQueue &queue) {
         const auto robust = std::ranges::find(peer_->scenes(), true, &PeerScene::robust);
-        peer_->take(queue);
-        peer_->trace(static_cast<std::size_t>(robust - peer_->scenes().begin()), peer_apis.front());
-        return peer_->answers();
+        RayAnswers found;
+        trace_by_peer(queue, static_cast<std::size_t>(robust - peer_->scenes().begin()), peer_apis.front(), &found);
+        return found;
     }
 
     bool warm_up_peer(const RaySet &set) {
-        peer_->take(set.queue);
         for (std::size_t scene = 0; scene < peer_->scenes().size(); ++scene)
             for (const PeerApi &api : peer_apis) {
-                if (!peer_->can_trace(api)) continue;
+                if (!peer_->can_trace(api, set.queue.shadow)) continue;
                 if (!goes_on(set.name + ", warming up Embree")) return false;
-                result.peers.push_back({set.name, scene, api, set.queue.count(), peer_->trace(scene, api), {}});
+                trace_by_peer(set.queue, scene, api, nullptr);
+                result.peers.push_back({set.name, scene, api, set.queue.count(), {}});
             }
         return true;
     }
@@ -129,21 +143,31 @@ private:
     }
 
     bool measure_peer(const RaySet &set, const std::string &what) {
-        peer_->take(set.queue);
         for (PeerRow &row : result.peers) {
-            if (row.rays != set.name || row.first_seconds > slow * fastest_peer(row)) continue;
+            if (row.rays != set.name || (!row.seconds.empty() && row.seconds.front() > slow * fastest_peer(row))) continue;
             if (!goes_on(fmt::format("{}, {}, Embree", set.name, what))) return false;
-            row.seconds.push_back(peer_->trace(row.scene, row.api));
+            row.seconds.push_back(trace_by_peer(set.queue, row.scene, row.api, nullptr));
         }
         return true;
     }
 
-    /// For the same rays in the same scene, in the round that warms up [s].
+    /// For the same rays in the same scene, in the first round [s].
     double fastest_peer(const PeerRow &like) const {
-        double least = like.first_seconds;
+        double least = like.seconds.front();
         for (const PeerRow &row : result.peers)
-            if (row.rays == like.rays && row.scene == like.scene) least = std::min(least, row.first_seconds);
+            if (row.rays == like.rays && row.scene == like.scene && !row.seconds.empty()) least = std::min(least, row.seconds.front());
         return least;
+    }
+
+    /// In the batches that ours get, of which Embree has copies as it wants them before its time runs [s].
+    double trace_by_peer(const RayQueue &queue, std::size_t scene, const PeerApi &api, RayAnswers *found) {
+        double seconds = 0;
+        for (std::size_t first = 0; first < queue.count(); first += trial_.batch) {
+            peer_->take(part_of(queue, first, trial_.batch));
+            seconds += peer_->trace(scene, api);
+            if (found) append(*found, peer_->answers());
+        }
+        return seconds;
     }
 
     TraversalRow row_of(const RaySet &set, const Traversal &traversal) const {
@@ -179,6 +203,7 @@ private:
     Candidate ours_;
     std::vector<RaySet> sets_;
     std::optional<EmbreePeer> peer_;
+    std::optional<Judge> judge_;
 };
 
 }  // namespace

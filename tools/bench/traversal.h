@@ -30,17 +30,17 @@ struct PeerRow {
     std::size_t scene;  ///< of EmbreePeer::scenes()
     PeerApi api;
     std::size_t count;
-    double first_seconds = 0;     ///< of the round that warms up
-    std::vector<double> seconds;  ///< by round; none where the first one took more than twice the time of the scene's fastest
+    std::vector<double> seconds;  ///< by round; of one only where that took more than twice the time of the scene's fastest
 };
 
 struct TraversalResult {
     std::string scene, accelerator;
     std::size_t primitives = 0, instances = 0, node_bytes = 0, block_bytes = 0;
-    double build_seconds = 0;
-    std::string peer_refusal;  ///< why Embree was left out, if it was
-    std::string peer_version;  ///< empty without Embree
-    uint peer_width = 0;       ///< EmbreePeer::native_width()
+    std::vector<double> build_seconds;  ///< of each time that it was built
+    std::string peer_refusal;           ///< why Embree was left out, if it was
+    std::string peer_version;           ///< empty without Embree
+    uint peer_width = 0;                ///< EmbreePeer::native_width()
+    std::string peer_instructions;      ///< EmbreePeer::instructions()
     std::vector<PeerScene> peer_scenes;
     std::vector<TraversalRow> rows;
     std::vector<PeerRow> peers;
@@ -52,6 +52,7 @@ struct TraversalTrial {
     std::string camera;       ///< a name, or empty
     bool embree = false;
     uint runs = 5, batch = 262144;
+    uint builds = 1;  ///< times that everything is built, in turns
     std::function<void(const std::string &what)> tell;
     std::function<bool()> goes_on;  ///< false ends it: rows have what was measured until then
 };

@@ -1,6 +1,7 @@
 #include "tools/bench/traversal_command.h"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -28,7 +29,7 @@ struct Options : SceneOptions {
     Options() { batch = 262144; }
     std::vector<std::string> scenes, procedural, rays = ray_set_names();
     std::string peer;
-    uint runs = 5, side = 1024;
+    uint runs = 5, builds = 1, side = 1024;
     bool as_json = false, quiet = false;
 };
 
@@ -40,10 +41,15 @@ std::string fault_of_procedural(const std::string &text) {
     return whole_numbers(least_terrain, most_terrain)(number);
 }
 
+BuildQuality quality_named(const std::string &name) {
+    return BuildQuality(std::ranges::find(build_quality_names, name) - build_quality_names.begin());
+}
+
 Scene procedural_scene(const std::string &text, const Options &options) {
     Scene scene = terrain(static_cast<uint>(std::stoul(text.substr(text.find(':') + 1))));
     scene.film.width = scene.film.height = options.side;
     if (!options.accelerator.empty()) scene.accelerator = options.accelerator;
+    if (!options.accelerator_quality.empty()) scene.accelerator_quality = quality_named(options.accelerator_quality);
     return scene;
 }
 
@@ -54,6 +60,7 @@ void add_scene(json &all, Device &device, const Scene &scene, const Options &opt
                                .embree = options.peer == "embree",
                                .runs = options.runs,
                                .batch = options.batch,
+                               .builds = options.builds,
                                .tell = [&](const std::string &what) { progress.report(what); },
                                .goes_on = [] { return !is_interrupted(); }};
     const TraversalResult result = try_traversals(device, scene, trial);
@@ -70,6 +77,7 @@ int run(Options options) {
     options.size = fmt::format("{0}x{0}", options.side);
     ProgressLine progress(options.quiet);
     Device device = Device::select(options.device, options.threads);
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, device.info().compute_units);
     check_trust(device.info(), options.untrusted_device);
     handle_interruptions();
     json all = {{"program", program_version()},   {"device", device.info().name},
@@ -100,20 +108,25 @@ void add_bench_traversal(CLI::App &bench, int &status) {
     CLI::App *command = bench.add_subcommand("traversal", "compare the kernels that trace rays with one another and with Embree");
     auto options = std::make_shared<Options>();
     command->footer(
-        "The same rays are traced by every variant, which are pairs of a render's kernels, and with --peer embree by every function of Embree 3:\n"
-        "rtcIntersect1, 8 and 16, or rtcOccluded, with its flags for coherent (c) and incoherent (i) rays.\n"
+        "The same rays are traced by every variant, which are pairs of a render's kernels, and with --peer embree by these functions of Embree 3:\n"
+        "rtcIntersect1, 4, 8 and 16, or rtcOccluded, with its flags for coherent (c) and incoherent (i) rays; not by its functions for streams.\n"
         "camera: through the middles of pixels, in a render's order. diffuse: from what these hit, cosine-distributed; diffuse2: from what diffuse\n"
         "rays hit. shadow: from what camera rays hit to one light (the scene's first point or spot light, else a point above it), whether anything\n"
         "is between. any: whether diffuse rays hit anything, however far. All begin off the surface they leave by 2^-20 of its coordinates, at t = "
         "0.\n"
+        "Ours know the number of the primitive that they leave, as in a render, and pass it over; Embree's have nothing of the kind.\n"
         "render: the variant that a render takes for rays of that depth, a shadow ray's being that of the ray that asks.\n"
-        "M/s: million rays per second of wall time, of ours from the launch of a batch to its end, reading rays and writing hits; of Embree with\n"
-        "copying rays into its records and hits out of them. Medians of the rounds, in which all take turns. Both have as many threads.\n"
-        "Embree medium, high: its default scenes, by the quality of the build; robust: with RTC_SCENE_FLAG_ROBUST. Of each the fastest function,\n"
-        "its name, and our speed over its. Functions that took over twice as long as the fastest in the first round are measured no more.\n"
-        "mismatches: rays that differ from Embree's robust scene in what they hit, or by over 2^-12 in t. Each is judged by all primitives in\n"
-        "double: wrong is what rounding in float does not explain, ambiguous where neither is wrong.\n"
+        "M/s: million rays per second of wall time, in the same batches: of ours from the launch to its end, reading rays and writing hits; of\n"
+        "Embree with copying rays into its records and hits out of them. Medians of the rounds, in which all take turns. Both have as many "
+        "threads.\n"
+        "Embree medium, high: its default scenes, by the quality of the build; robust: with RTC_SCENE_FLAG_ROBUST, quality medium. Of each the\n"
+        "fastest of the functions, its name, and our speed over its. Functions that took over twice as long as the fastest in the first round\n"
+        "after the one that warms up are measured no more.\n"
+        "mismatches: rays that differ from Embree's robust scene in what they hit, or by over 2^-12 in t. All of them, those that differ by over\n"
+        "2^-20, and every 16th ray whatever both say, are judged by all primitives in double: wrong is what rounding in float does not explain, as\n"
+        "a miss at an edge that two triangles share; ambiguous are mismatches of which neither is wrong.\n"
         "different: rays whose answer is not, to the bit, that of the first variant. The exit status is 3 where that or ours wrong is not 0.\n"
+        "Builds: from the scene's shapes, or Embree's buffers of vertices and indices, to what rays are traced by; medians with --builds.\n"
         "kernel: hash of the text of the kernel for this scene. --json has all of it, each function of Embree, and device time too.\n"
         "Example:\n  brandung bench traversal bunny.ply --procedural terrain:100000,terrain:1000000 --peer embree");
     command->option_defaults()->group("Scene");
@@ -124,6 +137,8 @@ void add_bench_traversal(CLI::App &bench, int &status) {
         ->check(CLI::Validator([](std::string &text) { return fault_of_procedural(text); }, "terrain:N"));
     command->add_option("--accelerator", options->accelerator,
                         fmt::format("{} (default: the scene's, or {})", fmt::join(chosen_accelerators({}), ", "), Scene().accelerator));
+    command->add_option("--accelerator-quality", options->accelerator_quality, "fast or high (default: the scene's, or fast)")
+        ->check(CLI::IsMember(std::vector<std::string>(build_quality_names.begin(), build_quality_names.end())));
     command->add_option("--camera", options->camera, "name of the scene's camera to use (default: the first)");
     add_device_options(*command, *options);
     command->option_defaults()->group("Bench");
@@ -136,6 +151,9 @@ void add_bench_traversal(CLI::App &bench, int &status) {
         ->capture_default_str();
     command->add_option("--peer", options->peer, "embree: trace the same rays by Embree too")->check(CLI::IsMember({"embree"}));
     command->add_option("--runs", options->runs, "rounds that are measured, after one to warm up")
+        ->check(whole_numbers(1u, 1000u))
+        ->capture_default_str();
+    command->add_option("--builds", options->builds, "times that everything is built, in turns, of which medians are shown")
         ->check(whole_numbers(1u, 1000u))
         ->capture_default_str();
     command->add_flag("--json", options->as_json, "print JSON");

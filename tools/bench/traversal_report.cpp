@@ -69,7 +69,6 @@ json row_json(const TraversalResult &result, const TraversalRow &row, const std:
     return all;
 }
 
-/// By its median, or where it was left out of the rounds, by the round that warmed up.
 json peer_json(const TraversalResult &result, const PeerRow &row) {
     return {{"scene", result.scene},
             {"rays", row.rays},
@@ -77,7 +76,7 @@ json peer_json(const TraversalResult &result, const PeerRow &row) {
             {"width", row.api.width},
             {"coherent", row.api.coherent},
             {"rounds", row.seconds.size()},
-            {"mrays_per_s", mrays(row.count, row.seconds.empty() ? std::vector{row.first_seconds} : row.seconds)}};
+            {"mrays_per_s", mrays(row.count, row.seconds)}};
 }
 
 json scene_json(const TraversalResult &result) {
@@ -88,14 +87,15 @@ json scene_json(const TraversalResult &result) {
                 {"accelerator", result.accelerator},
                 {"triangles", result.primitives},
                 {"instances", result.instances},
-                {"build_seconds", result.build_seconds},
+                {"builds", result.build_seconds.size()},
+                {"build_seconds", median(result.build_seconds)},
                 {"node_bytes", result.node_bytes},
                 {"block_bytes", result.block_bytes},
                 {"bytes_per_triangle", per_triangle(result.node_bytes + result.block_bytes)},
                 {"embree", json::array()}};
     for (const PeerScene &peer : result.peer_scenes)
         all["embree"].push_back({{"embree_scene", peer.name},
-                                 {"build_seconds", peer.build_seconds},
+                                 {"build_seconds", median(peer.build_seconds)},
                                  {"bytes", peer.bytes},
                                  {"bytes_per_triangle", per_triangle(peer.bytes)}});
     return all;
@@ -121,16 +121,18 @@ std::string line(const json &row, int of_scene) {
         const std::string end = column.end;
         text += "  " + cell(row["embree_best" + end], 7, 2) + api_cell(row["embree_best_api" + end]) + cell(row["ratio" + end], 6, 2);
     }
-    for (const char *count : {"mismatches", "ours_wrong", "theirs_wrong", "ambiguous", "different"}) text += count_cell(row[count], 10);
+    for (const char *count : {"mismatches", "judged", "ours_wrong", "theirs_wrong", "ambiguous", "different"}) text += count_cell(row[count], 10);
     return text + "  " + row["kernel_hash"].get<std::string>().substr(0, 8) + "\n";
 }
 
 std::string head(int of_scene) {
     std::string text = fmt::format("{:<{}}{:8}", "", of_scene + 9 + 12, "");
     for (const PeerColumn &column : peer_columns) text += fmt::format("  {:^17}", std::string("Embree ") + column.scene);
-    text += fmt::format("{:>10}{:>10}{:>10}\n{:<{}}{:<9}{:<12}{:>8}", "mis-", "ours", "theirs", "scene", of_scene, "rays", "variant", "M/s");
+    text +=
+        fmt::format("{:>10}{:>10}{:>10}{:>10}\n{:<{}}{:<9}{:<12}{:>8}", "mis-", "", "ours", "theirs", "scene", of_scene, "rays", "variant", "M/s");
     for (std::size_t i = 0; i < peer_columns.size(); ++i) text += fmt::format("  {:>7} {:<3}{:>6}", "M/s", "", "ratio");
-    return text + fmt::format("{:>10}{:>10}{:>10}{:>10}{:>10}  {}\n", "matches", "wrong", "wrong", "ambiguous", "different", "kernel");
+    return text +
+           fmt::format("{:>10}{:>10}{:>10}{:>10}{:>10}{:>10}  {}\n", "matches", "judged", "wrong", "wrong", "ambiguous", "different", "kernel");
 }
 
 std::string scene_line(const json &scene) {
@@ -153,7 +155,8 @@ void add_traversal_json(json &all, const TraversalResult &result) {
         if (row.of_render) all["rows"].push_back(row_json(result, row, "render"));
     }
     for (const PeerRow &row : result.peers) all["embree_rows"].push_back(peer_json(result, row));
-    if (!result.peer_version.empty()) all["embree"] = {{"version", result.peer_version}, {"native_width", result.peer_width}};
+    if (!result.peer_version.empty())
+        all["embree"] = {{"version", result.peer_version}, {"native_width", result.peer_width}, {"instructions", result.peer_instructions}};
 }
 
 std::string traversal_text(const json &all) {
@@ -163,7 +166,8 @@ std::string traversal_text(const json &all) {
     for (const json &row : all["rows"]) text += line(row, static_cast<int>(width));
     for (const json &scene : all["scenes"]) text += scene_line(scene);
     if (all.contains("embree"))
-        text += fmt::format("Embree {}, whose widest packets here are {} rays; {} threads each\n", all["embree"]["version"].get<std::string>(),
+        text += fmt::format("Embree {} by {}, as far as its widest packets of {} rays and this processor tell; {} threads each\n",
+                            all["embree"]["version"].get<std::string>(), all["embree"]["instructions"].get<std::string>(),
                             all["embree"]["native_width"].get<uint>(), all["compute_units"].get<uint>());
     return text;
 }

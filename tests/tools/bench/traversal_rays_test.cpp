@@ -91,21 +91,38 @@ TEST(TraversalRays, AreTheSameEachTime) {
     EXPECT_EQ(std::memcmp(a[0].queue.rays.data(), b[0].queue.rays.data(), a[0].queue.count() * sizeof(Ray)), 0);
 }
 
+std::optional<Disagreement> compare_on_floor(const RayAnswers &ours, const RayAnswers &theirs, bool goes_on = true) {
+    const SceneGeometry geometry = floor_geometry();
+    return compare_answers(Judge(geometry), floor_rays({"camera"})[0].queue, ours, theirs, [&] { return goes_on; });
+}
+
 /// One of 4096 hits is made a miss, and one is moved.
 TEST(Disagreement, CountsWhoIsWrong) {
-    const RaySet camera = floor_rays({"camera"})[0];
-    const RayAnswers right = find_floor(camera.queue);
+    const RayAnswers right = find_floor(floor_rays({"camera"})[0].queue);
     RayAnswers wrong = right;
-    wrong.hits[17].primitive = NO_HIT, wrong.hits[99].t *= 1.01f;
-    const Disagreement ours = compare_answers(floor_geometry(), camera.queue, wrong, right),
-                       theirs = compare_answers(floor_geometry(), camera.queue, right, wrong);
+    wrong.hits[17].primitive = NO_HIT, wrong.hits[99].t *= 1.001f;
+    const Disagreement ours = compare_on_floor(wrong, right).value(), theirs = compare_on_floor(right, wrong).value();
     EXPECT_EQ(ours.mismatches, 2u);
-    EXPECT_EQ(ours.judged, 2u);
+    EXPECT_EQ(ours.judged, 2u + 4096 / 16);
     EXPECT_EQ(ours.ours_wrong, 2u);
     EXPECT_EQ(ours.theirs_wrong, 0u);
     EXPECT_EQ(theirs.theirs_wrong, 2u);
     EXPECT_EQ(theirs.ambiguous, 0u);
-    EXPECT_EQ(compare_answers(floor_geometry(), camera.queue, right, right).mismatches, 0u);
+    EXPECT_EQ(compare_on_floor(right, right)->mismatches, 0u);
+}
+
+TEST(Disagreement, CountsWhatBothSayWrongly) {
+    RayAnswers wrong = find_floor(floor_rays({"camera"})[0].queue);
+    wrong.hits[32].primitive = NO_HIT;
+    const Disagreement found = compare_on_floor(wrong, wrong).value();
+    EXPECT_EQ(found.mismatches, 0u);
+    EXPECT_EQ(found.ours_wrong, 1u);
+    EXPECT_EQ(found.theirs_wrong, 1u);
+}
+
+TEST(Disagreement, EndsWhenItIsTold) {
+    const RayAnswers right = find_floor(floor_rays({"camera"})[0].queue);
+    EXPECT_FALSE(compare_on_floor(right, right, false).has_value());
 }
 
 }  // namespace
