@@ -1,4 +1,6 @@
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <chrono>
@@ -56,12 +58,18 @@ Span add_instance_blocks(const std::vector<PrimitiveBlock> &blocks, const Scene 
     });
 }
 
+/// Largest magnitude of a coordinate.
 float extent_of(const std::vector<Reference> &references) {
-    Bounds bounds;
-    for (const Reference &reference : references) bounds.add(reference.bounds);
-    if (bounds.empty()) return 0;
-    const vec3 largest = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
-    return std::max({largest.x, largest.y, largest.z});
+    const auto of_range = [&](const tbb::blocked_range<std::size_t> &range, float largest) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            if (references[i].bounds.empty()) continue;
+            const vec3 corner = glm::max(glm::abs(references[i].bounds.low), glm::abs(references[i].bounds.high));
+            largest = std::max({largest, corner.x, corner.y, corner.z});
+        }
+        return largest;
+    };
+    return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, references.size()), 0.0f, of_range,
+                                [](float a, float b) { return std::max(a, b); });
 }
 
 template <class Record> std::size_t bytes_of(const std::vector<Record> &records) { return records.size() * sizeof(Record); }

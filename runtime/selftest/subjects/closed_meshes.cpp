@@ -1,4 +1,5 @@
-/// Closed meshes are watertight, by every traversal, and of a convex one a ray from inside meets exactly one place.
+/// Closed meshes are watertight, by every traversal and in accelerators of both qualities, and of a convex one a ray from inside meets exactly one
+/// place.
 #include "runtime/selftest/closed_meshes.h"
 
 #include <fmt/format.h>
@@ -19,18 +20,20 @@
 namespace brandung {
 namespace {
 
-constexpr std::size_t rays_per_mesh = 1 << 17;
+constexpr std::size_t rays_per_mesh = 1 << 16;
 
-CompiledScene compiled(const ClosedMesh &closed) {
+CompiledScene compiled(const ClosedMesh &closed, BuildQuality quality) {
     Scene scene;
+    scene.accelerator_quality = quality;
     scene.materials.emplace_back();
     add_triangle_mesh(scene, 0, closed.mesh);
     return compile(scene);
 }
 
 struct MeshOnDevice {
-    MeshOnDevice(Device &device, const ClosedMesh &closed)
-        : scene(compiled(closed)), on_device(device, scene), tracing(device, scene, on_device, rays_per_mesh) {}
+    MeshOnDevice(Device &device, const ClosedMesh &closed, BuildQuality quality)
+        : closed(closed), scene(compiled(closed, quality)), on_device(device, scene), tracing(device, scene, on_device, rays_per_mesh) {}
+    const ClosedMesh &closed;
     CompiledScene scene;
     DeviceScene on_device;
     RayTracing tracing;
@@ -39,14 +42,14 @@ struct MeshOnDevice {
 class ClosedMeshes final : public Subject {
 public:
     explicit ClosedMeshes(Device &device) : device_(device) {
-        for (const ClosedMesh &closed : closed_meshes()) meshes_.emplace_back(device, closed);
+        for (const ClosedMesh &closed : closed_meshes())
+            for (const BuildQuality quality : {BuildQuality::fast, BuildQuality::high}) meshes_.emplace_back(device, closed, quality);
         kernel_.emplace(device, "kernels/selftest/all_hits.cl", "test_all_hits", meshes_.front().on_device.lists());
     }
 
     Findings examine(uint round) override {
         Findings findings;
-        for (std::size_t mesh = 0; mesh < meshes_.size(); ++mesh)
-            findings.add(examine(closed_meshes()[mesh], meshes_[mesh], seed_of(5, round, mesh)));
+        for (std::size_t mesh = 0; mesh < meshes_.size(); ++mesh) findings.add(examine(meshes_[mesh], seed_of(5, round, mesh)));
         device_.finish();
         return findings;
     }
@@ -71,7 +74,8 @@ private:
         return all;
     }
 
-    Findings examine(const ClosedMesh &closed, MeshOnDevice &mesh, std::uint64_t seed) {
+    Findings examine(MeshOnDevice &mesh, std::uint64_t seed) {
+        const ClosedMesh &closed = mesh.closed;
         std::vector<Ray> rays(rays_per_mesh);
         for_parts(rays.size(), [&](std::size_t first, std::size_t last) {
             InputSource source(seed_of(seed, 0, first));
