@@ -26,7 +26,11 @@ double share_of(std::size_t count, std::size_t most) { return count <= most ? 1.
 
 RaySample empty_sample() {
     using enum RayQueue::Use;
-    return {{camera, false, true, {}, {}}, {secondary, false, false, {}, {}}, {shadow, true, true, {}, {}}, {shadow, true, false, {}, {}}};
+    return {{camera, false, true, {}, {}},
+            {secondary, false, true, {}, {}},
+            {secondary, false, false, {}, {}},
+            {shadow, true, true, {}, {}},
+            {shadow, true, false, {}, {}}};
 }
 
 /// Takes the rays of the waves that it is shown.
@@ -35,10 +39,10 @@ public:
     explicit RayCollector(RaySample &sample) : sample_(sample) {}
 
     void see(const WaveRecords &wave) override {
-        RayQueue &closest = sample_[wave.generation == 0 ? 0 : 1];
+        RayQueue &closest = sample_[wave.generation == 0 ? 0 : are_coherent(wave.generation) ? 1 : 2];
         closest.rays.insert(closest.rays.end(), wave.begun.begin(), wave.begun.end());
         closest.sources.insert(closest.sources.end(), wave.begun_instances.begin(), wave.begun_instances.end());
-        RayQueue &shadows = sample_[are_coherent(wave.generation) ? 2 : 3];
+        RayQueue &shadows = sample_[are_shadow_rays_coherent(wave.generation) ? 3 : 4];
         for (const LightBlockRecords &block : wave.lights)
             for (const LightRecords &light : block.lights) add_row(shadows, light, wave.instances);
     }

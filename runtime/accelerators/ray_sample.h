@@ -21,7 +21,7 @@ struct RayQueue {
     std::size_t count() const { return rays.size(); }
 };
 
-/// The queues of a render: camera, secondary, shadow of the first surfaces and of others.
+/// The queues of a render: camera, secondary in packets and single, shadow in packets and single.
 using RaySample = std::vector<RayQueue>;
 
 /// Runs the integrator for the first sample of pixels of the window, and takes its rays as begun: with `most` all over the window at most about so

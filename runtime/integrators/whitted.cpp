@@ -183,7 +183,7 @@ private:
                       in_rows(shadows.rays, shadows.rows), in_rows(shadows.visible, shadows.rows));
         shadows.compact(shadows.visible, shadows.stride, count, rows, 0, 0, shadows.live);
         if (observation_) record_shadow_rays(wave, light, rows);
-        Kernel &trace = are_coherent(wave.generation) ? shadows.trace_together : *shadows.trace_apart;
+        Kernel &trace = are_shadow_rays_coherent(wave.generation) ? shadows.trace_together : *shadows.trace_apart;
         const Access live = in_rows(shadows.live, shadows.rows), rays = in_rows(shadows.rays, shadows.rows);
         const Access visible = in_rows(shadows.visible, shadows.rows), counts = shared(shadows.compact.counts());
         trace(Grid(count, rows), scene_, live, counts, shadows.stride, rays, hit_instances_, visible, shared(counter_.tallies()));

@@ -140,7 +140,7 @@ private:
     template <class Make> RayQueue queue(RayQueue::Use use, bool shadow, uint generation, std::size_t count, Make make) const {
         std::vector<std::optional<TaggedRay>> rays(count);
         tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { rays[i] = make(i); });
-        RayQueue queue{use, shadow, are_coherent(generation), {}, {}};
+        RayQueue queue{use, shadow, shadow ? are_shadow_rays_coherent(generation) : are_coherent(generation), {}, {}};
         for (const std::optional<TaggedRay> &ray : rays)
             if (ray) queue.rays.push_back(ray->ray), queue.sources.push_back(ray->instance);
         return queue;
@@ -153,7 +153,7 @@ private:
 
 /// The same rays, but for the question.
 RayQueue asking_for_any(RayQueue queue) {
-    queue.use = RayQueue::Use::shadow, queue.shadow = true, queue.coherent = false;
+    queue.use = RayQueue::Use::shadow, queue.shadow = true, queue.coherent = are_shadow_rays_coherent(0);
     for (Ray &ray : queue.rays) ray.tag = RAY_TAG(RAY_SHADOW, RAY_SOURCE(ray.tag));
     return queue;
 }
