@@ -32,7 +32,7 @@ const Traversal &traversal_of_render(bool coherent, const DeviceInfo &device, co
 /// One of its stages: &Traversal::closest_hit or any_hit.
 Kernel traversal_kernel(Device &device, const Traversal &traversal, const char *Traversal::*question, const CompiledScene &compiled);
 
-/// Rays from the eye and their first reflections stay together, the others go their own ways.
+/// Rays from the eye stay together, and so does what mirrors and glass make of them once; the others go their own ways.
 inline bool are_coherent(uint generation) { return generation <= 1; }
 
 /// Shadow rays from the first reflections are scattered already.

@@ -9,7 +9,6 @@
 #include <numbers>
 #include <optional>
 
-#include "runtime/accelerators/traversals.h"
 #include "runtime/wavefront/work.h"
 #include "scene/lights/light.h"
 
@@ -99,7 +98,7 @@ public:
 
     RayQueue camera_rays(const Camera &camera) const {
         const std::vector<uint> pixels = PixelOrder(Window{0, 0, camera.width, camera.height}).next(std::size_t{camera.width} * camera.height);
-        return queue(RayQueue::Use::camera, false, 0, pixels.size(), [&](std::size_t i) -> std::optional<TaggedRay> {
+        return queue(RayQueue::Use::camera, false, pixels.size(), [&](std::size_t i) -> std::optional<TaggedRay> {
             const double x = ((pixels[i] & 0xffff) + 0.5) / camera.width, y = ((pixels[i] >> 16) + 0.5) / camera.height;
             const dvec3 way = dvec3(camera.corner) + x * dvec3(camera.right) + y * dvec3(camera.down);
             return TaggedRay{{camera.position, infinity, vec3(glm::normalize(way)), RAY_TAG(RAY_CAMERA, NO_HIT)}, 0};
@@ -107,14 +106,14 @@ public:
     }
 
     RayQueue bounces(const RayQueue &from, uint generation) const {
-        return leaving(from, RayQueue::Use::secondary, false, generation, [&](const SurfacePlace &place, std::size_t i) -> std::optional<Ray> {
+        return leaving(from, RayQueue::Use::secondary, false, [&](const SurfacePlace &place, std::size_t i) -> std::optional<Ray> {
             const dvec3 way = cosine_direction(place.normal, random_unit(generation, 2 * i), random_unit(generation, 2 * i + 1));
             return Ray{place.origin(), infinity, vec3(way), RAY_TAG(RAY_REFLECTED, NO_HIT)};
         });
     }
 
     RayQueue shadows(const RayQueue &from) const {
-        return leaving(from, RayQueue::Use::shadow, true, 0, [&](const SurfacePlace &place, std::size_t) -> std::optional<Ray> {
+        return leaving(from, RayQueue::Use::shadow, true, [&](const SurfacePlace &place, std::size_t) -> std::optional<Ray> {
             const vec3 origin = place.origin();
             const dvec3 way = dvec3(light_) - dvec3(origin);
             const double distance = glm::length(way);
@@ -124,9 +123,9 @@ public:
     }
 
 private:
-    template <class Leave> RayQueue leaving(const RayQueue &from, RayQueue::Use use, bool shadow, uint generation, Leave leave) const {
+    template <class Leave> RayQueue leaving(const RayQueue &from, RayQueue::Use use, bool shadow, Leave leave) const {
         const RayAnswers found = find_hits_(from);
-        return queue(use, shadow, generation, from.count(), [&](std::size_t i) -> std::optional<TaggedRay> {
+        return queue(use, shadow, from.count(), [&](std::size_t i) -> std::optional<TaggedRay> {
             const Hit &hit = found.hits[i];
             if (hit.primitive == NO_HIT) return {};
             std::optional<Ray> ray = leave(place_of(geometry_, from.rays[i], hit, found.instances[i]), i);
@@ -136,11 +135,11 @@ private:
         });
     }
 
-    /// Of what `make` gives for 0 ... count - 1, in this order.
-    template <class Make> RayQueue queue(RayQueue::Use use, bool shadow, uint generation, std::size_t count, Make make) const {
+    /// Of what `make` gives for 0 ... count - 1, in this order. Bounces are diffuse, and scattered therefore.
+    template <class Make> RayQueue queue(RayQueue::Use use, bool shadow, std::size_t count, Make make) const {
         std::vector<std::optional<TaggedRay>> rays(count);
         tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { rays[i] = make(i); });
-        RayQueue queue{use, shadow, shadow ? are_shadow_rays_coherent(generation) : are_coherent(generation), {}, {}};
+        RayQueue queue{use, shadow, use != RayQueue::Use::secondary, {}, {}};
         for (const std::optional<TaggedRay> &ray : rays)
             if (ray) queue.rays.push_back(ray->ray), queue.sources.push_back(ray->instance);
         return queue;
@@ -153,7 +152,7 @@ private:
 
 /// The same rays, but for the question.
 RayQueue asking_for_any(RayQueue queue) {
-    queue.use = RayQueue::Use::shadow, queue.shadow = true, queue.coherent = are_shadow_rays_coherent(0);
+    queue.use = RayQueue::Use::shadow, queue.shadow = true;
     for (Ray &ray : queue.rays) ray.tag = RAY_TAG(RAY_SHADOW, RAY_SOURCE(ray.tag));
     return queue;
 }

@@ -66,6 +66,7 @@ TEST(TraversalRays, CameraRaysGoThroughPixelsInARendersOrder) {
 TEST(TraversalRays, BouncesLeaveTheSurfaceOnTheSideThatIsSeen) {
     const std::vector<RaySet> sets = floor_rays({"diffuse", "any"});
     ASSERT_EQ(sets.size(), 2u);
+    for (const RaySet &set : sets) EXPECT_FALSE(set.queue.coherent);
     double cosines = 0;
     for (const Ray &ray : sets[0].queue.rays) {
         ASSERT_GT(ray.origin.y, 0);
@@ -81,8 +82,10 @@ TEST(TraversalRays, BouncesLeaveTheSurfaceOnTheSideThatIsSeen) {
 }
 
 TEST(TraversalRays, ShadowRaysEndAtTheLightAndOnlyWhereItShines) {
-    for (const Ray &ray : floor_rays({"shadow"})[0].queue.rays)
-        ASSERT_NEAR(glm::distance(ray.origin + ray.t_max * ray.direction, vec3(0, 3, 0)), 0, 1e-5);
+    const std::vector<RaySet> sets = floor_rays({"shadow"});
+    EXPECT_TRUE(sets[0].queue.coherent);
+    EXPECT_GT(sets[0].queue.count(), 0u);
+    for (const Ray &ray : sets[0].queue.rays) ASSERT_NEAR(glm::distance(ray.origin + ray.t_max * ray.direction, vec3(0, 3, 0)), 0, 1e-5);
     EXPECT_EQ(floor_rays({"shadow"}, {0, -3, 0})[0].queue.count(), 0u);
 }
 
