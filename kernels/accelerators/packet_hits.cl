@@ -21,7 +21,8 @@ FUNCTION RowHits row_without_hits(const Row *row, float extent) {
     RowHits hits;
     hits.t = row->t_max, hits.u = (float16)(0.0f), hits.v = (float16)(0.0f), hits.primitive = (uint16)(NO_HIT);
     hits.next = (float16)(INFINITY);
-    hits.margin = CROWD_MARGIN * box_pad(row->origin, extent) / largest(absolute(row->direction));
+    hits.margin = (float16)(0.0f);
+    if (INTERIOR_SIZE > 0u) hits.margin = CROWD_MARGIN * box_pad(row->origin, extent) / largest(absolute(row->direction));
     if (INSTANCES) hits.instance = (uint16)(NO_HIT), hits.entry = (float16)(0.0f);
     return hits;
 }
@@ -41,8 +42,9 @@ FUNCTION int16 is_before(float16 t, uint16 primitive, uint inside, const RowHits
     return (t < hits->t) | ((t == hits->t) & ((here < hits->instance) | ((here == hits->instance) & first)));
 }
 
-/// Takes what a row's rays meet at the crossing with a primitive, and ends them there.
-FUNCTION void take_crossing(crossing_x16 crossing, uint number, uint inside, ray_x16 *ray, RowHits *hits) {
+/// Takes what a row's rays meet at the crossing with a primitive, and ends them there; false if none meets it.
+FUNCTION bool take_crossing(crossing_x16 crossing, uint number, uint inside, ray_x16 *ray, RowHits *hits) {
+    if (mask_bits(crossing.hit) == 0u) return false;
     const uint16 primitive = (uint16)(number);
     const float16 t = INSTANCES ? maximum(crossing.t, hits->entry) : crossing.t;
     const int16 better = crossing.hit & is_before(t, primitive, inside, hits);
@@ -54,4 +56,5 @@ FUNCTION void take_crossing(crossing_x16 crossing, uint number, uint inside, ray
     hits->primitive = better ? primitive : hits->primitive;
     if (INSTANCES) hits->instance = better ? (uint16)(inside) : hits->instance;
     ray->t_max = better ? t + hits->margin : ray->t_max;
+    return true;
 }

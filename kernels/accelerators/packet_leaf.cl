@@ -22,45 +22,37 @@
     name##_box(block, 0u, &box);                 \
     uint bits = mask_bits(candidates(packet, (block)->primitive, box, &enter))
 
-/// block_closest_hit for the packet's rows whose bits are set.
-FUNCTION void block_closest_hits(Scene scene, const global Group *group, uint kind, uint block, uint rows, PacketRays *packet, PacketHits *hits) {
-    bool nearer = false;
-#define CROSS_EACH(KIND, Record, name)                                                                    \
-    if (kind == KIND) {                                                                                   \
-        const global Record##Block *b = RECORDS(scene, Record##Block, group->blocks[KIND]) + block;       \
-        CANDIDATES_OF(name, packet, b, bits);                                                             \
-        for (; bits != 0u; bits &= bits - 1u) {                                                           \
-            const uint j = lowest_bit(bits);                                                              \
-            FOR_EACH_ROW(r) {                                                                             \
-                if ((rows >> r & 1u) == 0u) continue;                                                     \
-                const crossing_x16 crossing = name##_crossing(b, j, packet->rows[r]);                     \
-                if (mask_bits(crossing.hit) == 0u) continue;                                              \
-                take_crossing(crossing, b->primitive[j], hits->inside, &packet->rows[r], &hits->rows[r]); \
-                nearer = true;                                                                            \
-            }                                                                                             \
-        }                                                                                                 \
-    }
-    FOR_EACH_PRIMITIVE(CROSS_EACH)
-#undef CROSS_EACH
-    if (nearer) packet->farthest = farthest_of(packet);
-}
-
-/// Ends the rays of such rows that meet a primitive of the block: their t_max becomes -1.
-FUNCTION void block_ends_rays(Scene scene, const global Group *group, uint kind, uint block, uint rows, PacketRays *packet) {
-#define END_EACH(KIND, Record, name)                                                                \
+/// MEET(name, block, j, ray, r) for primitives j of the block, where `kind` is theirs, and rows r whose bits are set, with their rays.
+#define MEET_EACH(KIND, Record, name, MEET)                                                         \
     if (kind == KIND) {                                                                             \
         const global Record##Block *b = RECORDS(scene, Record##Block, group->blocks[KIND]) + block; \
         CANDIDATES_OF(name, packet, b, bits);                                                       \
         for (; bits != 0u; bits &= bits - 1u) {                                                     \
             const uint j = lowest_bit(bits);                                                        \
             FOR_EACH_ROW(r) {                                                                       \
-                if ((rows >> r & 1u) == 0u) continue;                                               \
-                ray_x16 *ray = &packet->rows[r];                                                    \
-                ray->t_max = name##_crossing(b, j, *ray).hit ? (float16)(-1.0f) : ray->t_max;       \
+                if ((rows >> r & 1u) != 0u) MEET(name, b, j, (&packet->rows[r]), r);                \
             }                                                                                       \
         }                                                                                           \
     }
+
+/// block_closest_hit for the packet's rows whose bits are set.
+FUNCTION void block_closest_hits(Scene scene, const global Group *group, uint kind, uint block, uint rows, PacketRays *packet, PacketHits *hits) {
+    bool nearer = false;
+#define TAKE(name, block, j, ray, r) \
+    nearer |= take_crossing(name##_crossing(block, j, *ray), (block)->primitive[j], hits->inside, ray, &hits->rows[r])
+#define TAKE_EACH(KIND, Record, name) MEET_EACH(KIND, Record, name, TAKE)
+    FOR_EACH_PRIMITIVE(TAKE_EACH)
+#undef TAKE
+#undef TAKE_EACH
+    if (nearer) packet->farthest = farthest_of(packet);
+}
+
+/// Ends the rays of such rows that meet a primitive of the block: their t_max becomes -1.
+FUNCTION void block_ends_rays(Scene scene, const global Group *group, uint kind, uint block, uint rows, PacketRays *packet){
+#define END(name, block, j, ray, r) ray->t_max = name##_crossing(block, j, *ray).hit ? (float16)(-1.0f) : ray->t_max
+#define END_EACH(KIND, Record, name) MEET_EACH(KIND, Record, name, END)
     FOR_EACH_PRIMITIVE(END_EACH)
+#undef END
 #undef END_EACH
 }
 
