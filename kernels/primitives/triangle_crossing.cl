@@ -20,8 +20,16 @@ FUNCTION mask TRIANGLE(may_cross)(real ax, real ay, real bx, real by, real cx, r
     return left | right;
 }
 
-/// Watertight (Woop, Benthin, Wald, JCGT 2(1) 2013): a ray through an edge or a vertex hits one of the triangles that share it; the signs of
-/// the edge functions are exact for the sheared vertices. Both sides count. u, v are the weights of vertices b and c.
+/// The value's sign; where it is 0, the origin being on the edge from p to q, the sign for an origin moved by (e, e^2), e > 0 as small as it takes
+/// (Edelsbrunner, Mücke, ACM TOG 9(1) 1990). Triangles that share the edge see it in opposite directions and find opposite signs.
+FUNCTION real TRIANGLE(side)(real value, real px, real py, real qx, real qy) {
+    const real moved = where(qy != py, qy - py, px - qx);
+    return where(value != 0.0f, value, moved);
+}
+
+/// Watertight (Woop, Benthin, Wald, JCGT 2(1) 2013): the signs of the edge functions are exact for the sheared vertices, and a ray through an edge
+/// or a vertex crosses the triangles round it as one right beside it would: one of two that continue each other, both or none at an outline.
+/// Both sides count. u, v are the weights of vertices b and c.
 /// Where rounding could decide on which side of the plane the ray begins, offsets of twice the digits do, however large the triangle is.
 FUNCTION Crossing TRIANGLE(crossing)(const global TriangleBlock *block, uint j, LaneRay ray) {
     const real ox = ray.turned_origin.x, oy = ray.turned_origin.y, oz = ray.turned_origin.z;
@@ -41,6 +49,12 @@ FUNCTION Crossing TRIANGLE(crossing)(const global TriangleBlock *block, uint j, 
 
     crossing.hit &= (((u >= 0.0f) & (v >= 0.0f) & (w >= 0.0f)) | ((u <= 0.0f) & (v <= 0.0f) & (w <= 0.0f))) & (det != 0.0f);
     if (mask_bits(crossing.hit) == 0u) return crossing;
+    const mask on_edge = crossing.hit & (minimum(fabs(u), minimum(fabs(v), fabs(w))) == 0.0f);
+    if (mask_bits(on_edge) != 0u) {
+        const real su = TRIANGLE(side)(u, bx, by, cx, cy), sv = TRIANGLE(side)(v, cx, cy, ax, ay), sw = TRIANGLE(side)(w, ax, ay, bx, by);
+        crossing.hit &= ((su > 0.0f) & (sv > 0.0f) & (sw > 0.0f)) | ((su < 0.0f) & (sv < 0.0f) & (sw < 0.0f));
+        if (mask_bits(crossing.hit) == 0u) return crossing;
+    }
 
     crossing.u = v / det, crossing.v = w / det;
     const real z = u / det * az + crossing.u * bz + crossing.v * cz;

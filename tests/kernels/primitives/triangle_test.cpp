@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "runtime/selftest/extended.h"
@@ -91,6 +92,48 @@ TEST(Triangle, OnWhichSideARayBeginsIsDecidedRight) {
     }
     EXPECT_GT(hits, count / 3);
     EXPECT_GT(very_near, count / 10);
+}
+
+/// A net over the square from 0 to `size`: squares with whole corners of any height from 0 to 7, each cut along one of its diagonals.
+std::vector<Triangle> hilly_net(int size, Random &random) {
+    std::vector<vec3> corners;
+    for (int i = 0; i < (size + 1) * (size + 1); ++i) corners.emplace_back(i % (size + 1), i / (size + 1), float(random.below(8)));
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < size * size; ++i) {
+        const int low = i / size * (size + 1) + i % size, high = low + size + 1;
+        const std::array<vec3, 4> q = {corners[low], corners[low + 1], corners[high + 1], corners[high]};
+        const uint turn = random.below(2);
+        triangles.push_back({q[turn], q[turn + 1], q[turn + 2]});
+        triangles.push_back({q[turn + 2], q[(turn + 3) % 4], q[turn]});
+        if (random.below(2) == 0) std::swap(triangles.back()[0], triangles.back()[1]);
+    }
+    return triangles;
+}
+
+/// Rays from above a hilly net to below it through its vertices and its edges' middles, some along its outlines: shears are exact in binary here.
+TEST(Triangle, RaysThroughEdgesAndVerticesCrossEverySurfaceOnce) {
+    constexpr int size = 12;
+    Random random(11);
+    const std::vector<Triangle> net = hilly_net(size, random);
+    std::vector<Triangle> triangles;
+    std::vector<Ray> rays;
+    for (const vec3 direction : {vec3(0, 0, -1), vec3(0.25f, -0.125f, -1), vec3(-0.25f, 0.25f, -1), vec3(0, 0.25f, -1)})
+        for (const Triangle &aim : net)
+            for (const vec3 through : {aim[0], (aim[0] + aim[1]) * 0.5f, (aim[1] + aim[2]) * 0.5f}) {
+                if (glm::min(through.x, through.y) < 2 || glm::max(through.x, through.y) > size - 2) continue;  // stays over the net
+                const Ray ray = make_ray(through - direction * 16.0f, direction);
+                triangles.insert(triangles.end(), net.begin(), net.end());
+                rays.insert(rays.end(), net.size(), ray);
+            }
+    const std::vector<CrossingResult> results = probe_of(triangles).crossings(rays);
+    for (std::size_t i = 0; i < results.size(); i += net.size()) {
+        const auto crossed = std::count_if(&results[i], &results[i] + net.size(), [](const CrossingResult &result) { return result.hit != 0; });
+        if (rays[i].direction.x == 0 && rays[i].direction.y == 0) {
+            ASSERT_EQ(crossed, 1) << i;
+        } else {
+            ASSERT_EQ(crossed % 2, 1) << i;  // in at an outline and out again
+        }
+    }
 }
 
 /// Scenes may have coordinates up to 10^15; triangles of 10^-15 are met too.
