@@ -30,6 +30,7 @@ CompiledScene compile(const Scene &scene, const CompileOptions &options) {
     CompiledScene compiled;
     compiled.warnings = scene.warnings;
     compiled.warning_places = scene.warning_places;
+    compiled.paths = scene.integrator.type == "path";
     Arena arena(compiled.arena);
     add_primitives(scene, options, compiled, arena);
     add_materials(scene, compiled, arena);

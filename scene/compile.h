@@ -31,6 +31,7 @@ struct CompiledScene {
     const AcceleratorKind *accelerator = nullptr;
     bool reflects = false, transmits = false;  ///< whether any material spawns such rays
     bool instances = false;                    ///< whether rays look into groups
+    bool paths = false;                        ///< whether rays go on from every surface, each with one child at most
     bool follows_one = false;                  ///< whether of a reflected and a refracted ray one is chosen
     bool filters_shadows = false;              ///< whether transparent objects let light through, and there are some
     bool emissive_instances = false;           ///< whether any light is an emissive shape of an instance

@@ -21,4 +21,12 @@ template <class View, std::size_t count> void write_words(const View &view, uint
     std::memcpy(words, &view, sizeof view);
 }
 
+/// The view that was written into a record's words.
+template <class View, std::size_t count> View view_of(const uint (&words)[count]) {
+    static_assert(sizeof(View) <= sizeof words);
+    View view;
+    std::memcpy(&view, words, sizeof view);
+    return view;
+}
+
 }  // namespace brandung

@@ -30,3 +30,8 @@ typedef struct {
     uint max_depth;   ///< rays in a chain, the eye ray being 1
     float threshold;  ///< rays of smaller weight are not spawned
 } WhittedParams;
+
+typedef struct {
+    uint max_depth;       ///< surfaces that scatter the light of a path
+    uint roulette_depth;  ///< from this surface on, rays go on as likely as their surfaces are bright
+} PathParams;

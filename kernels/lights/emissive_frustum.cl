@@ -17,9 +17,9 @@ FUNCTION EmissiveFrustum emissive_frustum_view(Light l) {
 
 /// The squared radius is uniform between those of both ends, a and b: at its root r the part (r - a) / (b - a) = u (a + b) / (a + r) of the length
 /// lies behind.
-FUNCTION LightSample emissive_frustum_sample(Scene scene, Light l, vec3 p, uint branch) {
+FUNCTION LightSample emissive_frustum_sample(Scene scene, Light l, vec3 p, LightRandom random) {
     const EmissiveFrustum light = emissive_frustum_view(l);
-    const vec2 square = stratum_point(light.emission.stratum, stratum_random(light.emission.stratum, branch));
+    const vec2 square = stratum_point(light.emission.stratum, random);
     const float a = light.radius - light.rise, b = light.radius + light.rise;
     const float r = sqrt(fma(square.x, (b - a) * (b + a), a * a));
     const float part = square.x * (a + b) / maximum(a + r, 0x1p-126f), z = 2.0f * part - 1.0f;

@@ -24,6 +24,15 @@ FUNCTION vec3 area_in_world(const global Transform *m, vec3 n) {
     return plus(scaled(cross3(y, z), n.x), plus(scaled(cross3(z, x), n.y), scaled(cross3(x, y), n.z)));
 }
 
+/// The area in the group's space of a unit area in the world with this unit normal, which M = to_world stretches by |det M| / |Mᵀ n|.
+FUNCTION float emissive_area_in_group(Scene scene, uint instance, vec3 normal) {
+    const global Transform *m = &instance_of_light(scene, instance)->to_world;
+    const vec3 x = load(&m->x), y = load(&m->y), z = load(&m->z);
+    const vec3 stretched = make3(dot3(x, normal), dot3(y, normal), dot3(z, normal));
+    const float volume = fabs(dot3(x, cross3(y, z)));
+    return instance != 0u ? sqrt(dot3(stretched, stretched)) / volume : 1.0f;
+}
+
 /// For light at p. What may move the point off its surface, or the surface off it, counts along the normal n, in the group's space and in the world:
 /// own errors, the way of a ray from p into the group's space, of at most 2^-21 (|M⁻¹| |w| + |origin|) for points w of the ray as surface_in_world
 /// derives, and the point's way to the world, of at most 2^-22 (|M| |p| + |t|). Planes of the group at distance 1 are 1 / |M⁻ᵀ n| apart in the world.

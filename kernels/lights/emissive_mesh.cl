@@ -32,12 +32,12 @@ FUNCTION uint even_bits(uint x) {
 }
 
 /// A place on the face's part of Morton's curve, and chance within the curve's steps of 2^-16.
-FUNCTION vec2 curve_point(const global EmissiveFace *face, uint random) {
+FUNCTION vec2 curve_point(const global EmissiveFace *face, LightRandom random) {
     const uint64 steps = (uint64)(face->last - face->first) + 1u;
-    const uint place = face->first + (uint)((uint64)random * steps >> 32);
+    const uint place = face->first + (uint)((uint64)random.curve * steps >> 32);
     vec2 point;
-    point.x = ((float)(int)even_bits(place) + unit_interval(hash(random + 4u))) * 0x1p-16f;
-    point.y = ((float)(int)even_bits(place >> 1) + unit_interval(hash(random + 5u))) * 0x1p-16f;
+    point.x = ((float)(int)even_bits(place) + unit_interval(hash(random.random + 4u))) * 0x1p-16f;
+    point.y = ((float)(int)even_bits(place >> 1) + unit_interval(hash(random.random + 5u))) * 0x1p-16f;
     return point;
 }
 
@@ -51,11 +51,10 @@ FUNCTION vec2 triangle_of_square(vec2 square) {
     return point;
 }
 
-FUNCTION LightSample emissive_mesh_sample(Scene scene, Light l, vec3 p, uint branch) {
+FUNCTION LightSample emissive_mesh_sample(Scene scene, Light l, vec3 p, LightRandom random) {
     const EmissiveMesh light = emissive_mesh_view(l);
-    const uint random = stratum_random(light.emission.stratum, branch);
-    const global EmissiveFace *face = emissive_mesh_face(scene, light, random);
-    const vec2 square = curve_point(face, hash(random + 1u)), folded = triangle_of_square(square);
+    const global EmissiveFace *face = emissive_mesh_face(scene, light, random.random);
+    const vec2 square = curve_point(face, random), folded = triangle_of_square(square);
     const float s = face->folded > 0.0f ? folded.x : square.x, t = face->folded > 0.0f ? folded.y : square.y;
     const vec3 q = plus(load(&face->corner), plus(scaled(load(&face->u), s), scaled(load(&face->v), t)));
     return emission_sample(scene, light.emission, p, emissive_point(q, load(&face->normal), face->error, 1.0f));

@@ -21,10 +21,10 @@ FUNCTION EmissiveSphere emissive_sphere_view(Light l) {
 /// Where the axis is z and points to p, at distance d from the centre: from outside z² is uniform between (radius / d)², the horizon, and 1, so that
 /// the density [1/area] is z / (pi radius² (1 - (radius / d)²)), which from afar makes every point count the same; from inside z is uniform
 /// between -1 and 1, and the density 1 / (4 pi radius²).
-FUNCTION LightSample emissive_sphere_sample(Scene scene, Light l, vec3 world_p, uint branch) {
+FUNCTION LightSample emissive_sphere_sample(Scene scene, Light l, vec3 world_p, LightRandom random) {
     const EmissiveSphere light = emissive_sphere_view(l);
     const vec3 p = lit_point_in_group(scene, light.emission.instance, world_p);
-    const vec2 square = stratum_point(light.emission.stratum, stratum_random(light.emission.stratum, branch));
+    const vec2 square = stratum_point(light.emission.stratum, random);
     const bool outside = emissive_sphere_offset(light.center, light.radius, p) > 0.0f;
     const vec3 f = minus(p, light.center);
     const float d = sqrt(dot3(f, f)), ratio = minimum(light.radius / d, 1.0f), seen = (1.0f - ratio) * (1.0f + ratio);

@@ -3,6 +3,7 @@
 #include "generated/lights.cl"
 #include "kernels/core/items.cl"
 #include "kernels/lights/light.h"
+#include "kernels/lights/light_random.cl"
 
 FUNCTION LightSample where(int c, LightSample a, LightSample b) {
     LightSample r;
@@ -11,14 +12,19 @@ FUNCTION LightSample where(int c, LightSample a, LightSample b) {
     return r;
 }
 
-/// Light from `light` at p, for the ray with this branch, by which points of emissive shapes are chosen.
-FUNCTION LightSample light_sample(Scene scene, Light light, vec3 p, uint branch) {
+/// Light from `light` at p, of emissive shapes from a point that `random` chooses.
+FUNCTION LightSample light_sample(Scene scene, Light light, vec3 p, LightRandom random) {
     LightSample sample = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, 0.0f, {0.0f, 0.0f, 0.0f}};
 #define CASE(KIND, View, name) \
-    ONLY_IF(light.kind == KIND) sample = where(light.kind == KIND, name##_sample(scene, light, p, branch), sample);
+    ONLY_IF(light.kind == KIND) sample = where(light.kind == KIND, name##_sample(scene, light, p, random), sample);
     FOR_EACH_LIGHT(CASE)
 #undef CASE
     return sample;
+}
+
+/// The same for the ray with this branch, for each light other numbers.
+FUNCTION LightSample light_sample(Scene scene, Light light, vec3 p, uint branch) {
+    return light_sample(scene, light, p, light_random(light, branch));
 }
 
 /// All that speaks against asking whether the light is visible: LIGHT_...; 0 where it may add something.

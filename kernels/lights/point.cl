@@ -4,6 +4,7 @@
 #include "kernels/core/scene.cl"
 #include "kernels/lights/attenuation.cl"
 #include "kernels/lights/light.h"
+#include "kernels/lights/light_random.cl"
 #include "kernels/lights/point.h"
 
 FUNCTION PointLight point_view(Light l) {
@@ -14,7 +15,7 @@ FUNCTION PointLight point_view(Light l) {
     return light;
 }
 
-FUNCTION LightSample point_sample(Scene scene, Light l, vec3 p, uint branch) {
+FUNCTION LightSample point_sample(Scene scene, Light l, vec3 p, LightRandom random) {
     const PointLight light = point_view(l);
     const vec3 way = minus(light.position, p);
     const float distance = sqrt(dot3(way, way));

@@ -4,6 +4,7 @@
 #include "kernels/core/scene.cl"
 #include "kernels/lights/attenuation.cl"
 #include "kernels/lights/light.h"
+#include "kernels/lights/light_random.cl"
 #include "kernels/lights/spot.h"
 
 FUNCTION SpotLight spot_view(Light l) {
@@ -24,7 +25,7 @@ FUNCTION float spot_falloff(SpotLight light, vec3 direction) {
     return s * s * (3.0f - 2.0f * s);
 }
 
-FUNCTION LightSample spot_sample(Scene scene, Light l, vec3 p, uint branch) {
+FUNCTION LightSample spot_sample(Scene scene, Light l, vec3 p, LightRandom random) {
     const SpotLight light = spot_view(l);
     const vec3 way = minus(light.position, p);
     const float distance = sqrt(dot3(way, way));

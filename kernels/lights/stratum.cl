@@ -1,9 +1,10 @@
-// Random points in a light's cells: functions of the way from the eye, the light and the cell, never of a lane or of the time.
+// Points in a light's cells.
 #pragma once
 #include "kernels/core/lanes_1.cl"
 #include "kernels/core/random.cl"
 #include "kernels/core/scene.h"
 #include "kernels/lights/emission.h"
+#include "kernels/lights/light_random.cl"
 
 FUNCTION Emission emission_view(Light l) {
     Emission emission;
@@ -13,14 +14,11 @@ FUNCTION Emission emission_view(Light l) {
     return emission;
 }
 
-/// The first of a light's random numbers for the ray with this branch; the next are hashes of it.
-FUNCTION uint stratum_random(Stratum stratum, uint branch) { return hash(branch ^ hash(stratum.salt + 1u)); }
-
 /// A point in the cell, in [0, 1)² but for rounding up to 1.
-FUNCTION vec2 stratum_point(Stratum stratum, uint random) {
+FUNCTION vec2 stratum_point(Stratum stratum, LightRandom random) {
     const float cell = 1.0f / (float)(int)stratum.rows;
     vec2 point;
-    point.x = ((float)(int)(stratum.column_and_row & 0xffffu) + unit_interval(random)) * cell;
-    point.y = ((float)(int)(stratum.column_and_row >> 16) + unit_interval(hash(random + 1u))) * cell;
+    point.x = ((float)(int)(stratum.column_and_row & 0xffffu) + random.square.x) * cell;
+    point.y = ((float)(int)(stratum.column_and_row >> 16) + random.square.y) * cell;
     return point;
 }

@@ -24,6 +24,9 @@ FUNCTION vec3 frustum_across(vec3 axis) {
     return make3(in_xy ? -axis.y : 0.0f, in_xy ? axis.x : -axis.z, in_xy ? 0.0f : axis.y);
 }
 
+/// Points of it as a light are uniform by area.
+FUNCTION float frustum_emission_factor(const global ShadingRecord *record, vec3 from, vec3 p) { return 1.0f; }
+
 /// The point is put back onto the surface, so that its error does not grow with the ray's length: between the ends too, since beyond a tip is none.
 /// Near the axis the way outward is what rounding leaves of f; made perpendicular once more, it is so to the last digits. Where it leaves nothing, at
 /// the tip or seen from so far that all of the frustum is one place, any way outward will do.

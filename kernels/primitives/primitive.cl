@@ -36,6 +36,16 @@ FUNCTION Pattern primitive_pattern(Scene scene, const global ShadingRecord *reco
     return pattern;
 }
 
+/// How dense points of the primitive as a light are round p, as seen from `from`, over their mean density by area; both in its own space.
+FUNCTION float primitive_emission_factor(const global ShadingRecord *record, vec3 from, vec3 p) {
+    float factor = 1.0f;
+#define CASE(KIND, Record, name) \
+    ONLY_IF(record->kind == KIND) factor = record->kind == KIND ? name##_emission_factor(record, from, p) : factor;
+    FOR_EACH_PRIMITIVE(CASE)
+#undef CASE
+    return factor;
+}
+
 /// Where the ray met the primitive that `record` describes.
 FUNCTION Surface primitive_surface(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
     Surface surface;

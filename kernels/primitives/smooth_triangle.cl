@@ -15,6 +15,8 @@ FUNCTION Surface smooth_triangle_surface(Scene scene, const global ShadingRecord
     return surface;
 }
 
+FUNCTION float smooth_triangle_emission_factor(const global ShadingRecord *record, vec3 from, vec3 p) { return 1.0f; }
+
 FUNCTION Pattern smooth_triangle_pattern(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
     return triangle_pattern(scene, record, ray, hit);
 }

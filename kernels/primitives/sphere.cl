@@ -36,6 +36,17 @@ FUNCTION Surface sphere_surface(Scene scene, const global ShadingRecord *record,
     return surface;
 }
 
+/// As a light: see emissive_sphere_sample, with the same decision whether `from` is outside.
+FUNCTION float sphere_emission_factor(const global ShadingRecord *record, vec3 from, vec3 p) {
+    const SphereShading sphere = sphere_view(record);
+    const float radius = fabs(sphere.radius);
+    const vec3 f = minus(from, sphere.center), q = minus(p, sphere.center);
+    const float d = sqrt(dot3(f, f)), ratio = minimum(radius / d, 1.0f), seen = (1.0f - ratio) * (1.0f + ratio);
+    const float z = dot3(f, q) / (d * sqrt(dot3(q, q)));
+    const bool outside = sphere_surface_offset(sphere.center, radius, from) > 0.0f;
+    return outside ? 4.0f * maximum(z, 0.0f) / seen : 1.0f;
+}
+
 /// The y axis leads to the pole at v = 1; u = 1/2 faces the z axis and grows towards the x axis.
 FUNCTION Pattern sphere_pattern(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
     const vec3 f = plus(minus(ray.origin, sphere_view(record).center), scaled(ray.direction, hit.t));

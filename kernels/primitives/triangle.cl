@@ -36,6 +36,9 @@ FUNCTION Surface triangle_surface(Scene scene, const global ShadingRecord *recor
     return surface;
 }
 
+/// Points of it as a light are uniform by area.
+FUNCTION float triangle_emission_factor(const global ShadingRecord *record, vec3 from, vec3 p) { return 1.0f; }
+
 /// Both are interpolated between the vertices.
 FUNCTION Pattern triangle_pattern(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
     const uint uvs = record->words[9], colors = record->words[10];

@@ -3,6 +3,15 @@
 #include "kernels/core/params.h"
 #include "kernels/core/random.cl"
 
+/// A sample's pair of numbers for a use, the `dimension` from 1 on, in [0, 1)².
+FUNCTION vec2 sampler_pair(uint pixel, uint sample, uint dimension, BatchParams batch) {
+    const uint random = hash(hash(pixel ^ hash(sample ^ hash(batch.seed))) ^ hash(dimension));
+    vec2 pair;
+    pair.x = unit_interval(random);
+    pair.y = unit_interval(hash(random + 1u));
+    return pair;
+}
+
 /// Position of a pixel's sample in [0, 1)².
 FUNCTION vec2 sampler_pixel_position(uint pixel, uint sample, BatchParams batch) {
     const uint random = hash(pixel ^ hash(sample ^ hash(batch.seed)));

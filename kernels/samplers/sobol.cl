@@ -24,22 +24,34 @@ FUNCTION uint sobol_second_digits(uint index) {
     return index ^ index >> 16;
 }
 
-/// In [0, 1): each digit is flipped or not by a hash of the seed and of the digits before it (Laine & Karras, EGSR 2011, section 3.1; the constants
-/// are Vegdahl's of 2021, see Burley, JCGT 9(4) 2020, for the use).
-FUNCTION float owen_scrambled(uint digits, uint seed) {
+/// Each digit is flipped or not by a hash of the seed and of the digits before it, which are the lower bits (Laine & Karras, EGSR 2011, section 3.1;
+/// the constants are Vegdahl's of 2021, see Burley, JCGT 9(4) 2020, for the use).
+FUNCTION uint owen_scrambled(uint digits, uint seed) {
     digits ^= digits * 0x3d20adeau;
     digits += seed;
     digits *= seed >> 16 | 1u;
     digits ^= digits * 0x05526c56u;
-    digits ^= digits * 0x53a22864u;
-    return unit_interval(bits_reversed(digits));
+    return digits ^ digits * 0x53a22864u;
+}
+
+/// The point of this index of the sequence that the seed chooses, in [0, 1)².
+FUNCTION vec2 sobol_point(uint index, uint seed) {
+    vec2 point;
+    point.x = unit_interval(bits_reversed(owen_scrambled(index, seed)));
+    point.y = unit_interval(bits_reversed(owen_scrambled(sobol_second_digits(index), hash(seed + 1u))));
+    return point;
+}
+
+FUNCTION uint sequence_of_sample(uint pixel, uint sample, BatchParams batch) { return hash(pixel ^ hash((sample & 1u) ^ hash(batch.seed))); }
+
+/// A sample's pair of numbers for a use, the `dimension` from 1 on, in [0, 1)². Each use has a sequence of its own, and takes its points in an order
+/// of its own that keeps every 2^k aligned ones together, so that uses are independent of each other (Burley 2020).
+FUNCTION vec2 sampler_pair(uint pixel, uint sample, uint dimension, BatchParams batch) {
+    const uint seed = hash(sequence_of_sample(pixel, sample, batch) ^ hash(dimension));
+    return sobol_point(bits_reversed(owen_scrambled(bits_reversed(sample >> 1), hash(seed + 2u))), seed);
 }
 
 /// Position of a pixel's sample in [0, 1)².
 FUNCTION vec2 sampler_pixel_position(uint pixel, uint sample, BatchParams batch) {
-    const uint index = sample >> 1, seed = hash(pixel ^ hash((sample & 1u) ^ hash(batch.seed)));
-    vec2 position;
-    position.x = owen_scrambled(index, seed);
-    position.y = owen_scrambled(sobol_second_digits(index), hash(seed + 1u));
-    return position;
+    return sobol_point(sample >> 1, sequence_of_sample(pixel, sample, batch));
 }

@@ -7,10 +7,12 @@
 namespace brandung {
 
 std::unique_ptr<Integrator> make_whitted(const IntegratorJob &job);
+std::unique_ptr<Integrator> make_path(const IntegratorJob &job);
 
 const std::vector<IntegratorKind> &integrator_kinds() {
     static const std::vector<IntegratorKind> kinds = {
         {"whitted", make_whitted},
+        {"path", make_path},
     };
     return kinds;
 }

@@ -29,8 +29,8 @@ public:
           shade_(job.device, whitted_cl, "shade_whitted", scene_.lists()),
           accumulate_(job.device, "kernels/stages/accumulate.cl", "accumulate", scene_.lists()),
           surfaces_(job, branching_ > 0, generate_.work_items(job.batch) * std::clamp(light_count_, 1u, lights_per_block)),
-          levels_(job.device, job.batch, branching_, branching_ == 0 ? 1 : params_.max_depth, job.compiled.interior_size, surfaces_.instances,
-                  job.on_step),
+          levels_(job.device, job.batch, branching_, branching_ == 0 ? 1 : params_.max_depth,
+                  {.interior_size = job.compiled.interior_size, .instances = surfaces_.instances}, job.on_step),
           contributions_(job.device, job.batch),
           refused_(job.device, 1),
           no_spectra_(job.device, 0) {

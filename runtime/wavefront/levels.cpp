@@ -10,20 +10,20 @@ constexpr uint worthwhile_launch = 16384;
 
 }  // namespace
 
-Levels::Levels(Device &device, uint batch, uint branching, uint generations, uint interior_size, bool instances, WatchSteps on_step)
+Levels::Levels(Device &device, uint batch, uint branching, uint generations, SideArrays sides, WatchSteps on_step)
     : device_(device),
       batch_(batch),
       capacity_(std::max(batch, branching)),
       branching_(branching),
       generations_(generations),
-      interior_size_(interior_size),
       full_launch_(std::min(batch, worthwhile_launch)),
-      instances_(instances),
-      level_bytes_(capacity_ * (sizeof(Ray) + sizeof(Path) + sizeof(uint) * (1 + interior_size + (instances ? 1 : 0)))),
+      sides_(sides),
+      level_bytes_(capacity_ *
+                   (sizeof(Ray) + sizeof(Path) + sizeof(uint) * (1 + sides.interior_size + (sides.instances ? 1 : 0) + (sides.pdfs ? 1 : 0)))),
       on_step_(std::move(on_step)) {}
 
 Level &Levels::level(uint generation) {
-    while (levels_.size() <= generation) levels_.emplace_back(device_, capacity_, interior_size_, instances_);
+    while (levels_.size() <= generation) levels_.emplace_back(device_, capacity_, sides_);
     return levels_[generation];
 }
 

@@ -9,22 +9,30 @@
 
 namespace brandung {
 
+/// What only some scenes and integrators keep of every ray.
+struct SideArrays {
+    uint interior_size = 0;  ///< entries of its list of media
+    bool instances = false, pdfs = false;
+};
+
 /// Slots of one generation, filled front to back, and the list of those that are live and not yet handed out.
 struct Level {
-    Level(Device &device, uint capacity, uint interior_size, bool instances)
+    Level(Device &device, uint capacity, SideArrays sides)
         : rays(device, capacity),
-          sources(device, instances ? capacity : 0),
+          sources(device, sides.instances ? capacity : 0),
           paths(device, capacity),
-          interiors(device, std::size_t{capacity} * interior_size),
+          pdfs(device, sides.pdfs ? capacity : 0),
+          interiors(device, std::size_t{capacity} * sides.interior_size),
           live(device, capacity) {}
     Buffer<Ray> rays;
     Buffer<uint> sources;  ///< instances of the primitives that the rays leave, in scenes with instances
     Buffer<Path> paths;
+    Buffer<float> pdfs;      ///< densities by which their directions were chosen [1/sr], for integrators that weigh them
     Buffer<uint> interiors;  ///< interior_size entries per slot
     Buffer<uint> live;
     uint used = 0;            ///< slots taken
     uint first = 0, end = 0;  ///< of `live`: what is waiting
-    std::size_t bytes() const { return rays.bytes() + sources.bytes() + paths.bytes() + interiors.bytes() + live.bytes(); }
+    std::size_t bytes() const { return rays.bytes() + sources.bytes() + paths.bytes() + pdfs.bytes() + interiors.bytes() + live.bytes(); }
 };
 
 /// A part of a level to work on, and where its children go: to slots base + j * count + i of the next level, for child j of item i.
@@ -43,8 +51,8 @@ struct Wave {
 class Levels {
 public:
     /// Levels are allocated when first needed, at most `generations` of them, each of max(batch, branching) slots. Waves have at most `batch`
-    /// items. `interior_size` and `instances` say which side arrays they have. `on_step` is told each step, if there is one.
-    Levels(Device &device, uint batch, uint branching, uint generations, uint interior_size, bool instances, WatchSteps on_step = {});
+    /// items. `sides` says which side arrays they have. `on_step` is told each step, if there is one.
+    Levels(Device &device, uint batch, uint branching, uint generations, SideArrays sides, WatchSteps on_step = {});
 
     /// Forgets everything, and allocates the first level if there is none yet, as `next` does; the caller fills the first `count` slots of the result
     /// and its live list.
@@ -64,8 +72,8 @@ private:
     void tell_step(uint generation, uint count) const;
 
     Device &device_;
-    uint batch_, capacity_, branching_, generations_, interior_size_, full_launch_;
-    bool instances_;
+    uint batch_, capacity_, branching_, generations_, full_launch_;
+    SideArrays sides_;
     std::size_t level_bytes_;
     WatchSteps on_step_;
     std::deque<Level> levels_;

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "scene/compilation/parts.h"
-#include "scene/lights/light_rows.h"
+#include "scene/lights/light_choices.h"
 #include "scene/materials_in_use.h"
 #include "scene/places.h"
 #include "scene/warnings.h"
@@ -30,6 +30,10 @@ void add_lights(const Scene &scene, CompiledScene &compiled, Arena &arena) {
         std::any_of(lights.shapes.begin(), lights.shapes.end(), [](const PlacedShape &placed) { return placed.instance != 0; });
     compiled.header.emissive_faces = arena.add(lights.faces);
     compiled.header.lights = arena.add(lights.rows);
+    if (!compiled.paths) return;
+    const LightChoices choices = make_light_choices(lights, scene, compiled.header.world.extent);
+    compiled.header.light_choices = arena.add(choices.choices);
+    compiled.header.emission_chance = choices.emission;
 }
 
 }  // namespace brandung

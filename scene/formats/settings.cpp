@@ -95,6 +95,7 @@ void read_integrator(const Parameters &parameters, IntegratorSettings &integrato
     integrator.max_depth = parameters.integer("max_depth", integrator.max_depth, 1, max_depth);
     integrator.threshold = parameters.not_negative("threshold", integrator.threshold);
     integrator.light_samples = parameters.integer("light_samples", integrator.light_samples, 0, MAX_LIGHT_SAMPLES);
+    integrator.roulette_depth = parameters.integer("roulette_depth", integrator.roulette_depth, 1, max_depth);
     integrator.follows_one = parameters.choice("follow", {"both", "one"}, integrator.follows_one ? 1 : 0) == 1;
     if (parameters.has("shadows")) integrator.shadows_unsaid = false;
     integrator.filtered_shadows = parameters.choice("shadows", {"opaque", "filtered"}, integrator.filtered_shadows ? 1 : 0) == 1;

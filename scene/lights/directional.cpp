@@ -1,4 +1,6 @@
 /// Directional lights in scene files.
+#include <numbers>
+
 #include "scene/kinds.h"
 #include "scene/lights/light.h"
 #include "scene/parameters.h"
@@ -10,6 +12,10 @@ Light make_light(const DirectionalLight &light) {
     result.kind = kind_number(light_kinds(), "directional");
     write_words(light, result.words);
     return result;
+}
+
+Spectrum power_of_directional(const Light &light, float extent) {
+    return view_of<DirectionalLight>(light.words).irradiance * (std::numbers::pi_v<float> * extent * extent);
 }
 
 /// The file says which way the light travels, the record where it comes from.

@@ -1,5 +1,5 @@
 /// Emissive shapes as lights.
-#include <cstring>
+#include <numbers>
 
 #include "scene/kinds.h"
 #include "scene/lights/light.h"
@@ -14,11 +14,8 @@ template <class View> Light make_emissive(const char *kind, const View &view) {
     return result;
 }
 
-Emission emission_of(const Light &light) {
-    Emission emission;
-    std::memcpy(&emission, light.words, sizeof emission);
-    return emission;
-}
+/// Of radiance 1, per area.
+constexpr float both_sides = 2 * std::numbers::pi_v<float>;
 
 }  // namespace
 
@@ -26,11 +23,20 @@ Light make_light(const EmissiveMesh &light) { return make_emissive("emissive_mes
 Light make_light(const EmissiveSphere &light) { return make_emissive("emissive_sphere", light); }
 Light make_light(const EmissiveFrustum &light) { return make_emissive("emissive_frustum", light); }
 
+Spectrum power_of_emissive_mesh(const Light &light, float) { return view_of<Emission>(light.words).power * both_sides; }
+Spectrum power_of_emissive_frustum(const Light &light, float) { return view_of<Emission>(light.words).power * both_sides; }
+
+/// The record's `power` has no area in it.
+Spectrum power_of_emissive_sphere(const Light &light, float) {
+    const auto sphere = view_of<EmissiveSphere>(light.words);
+    return sphere.emission.power * (both_sides * 4 * std::numbers::pi_v<float> * sphere.radius * sphere.radius);
+}
+
 std::vector<Light> make_cells(const Light &light, uint rows) {
     std::vector<Light> cells;
     for (uint row = 0; row < rows; ++row)
         for (uint column = 0; column < rows; ++column) {
-            Emission emission = emission_of(light);
+            auto emission = view_of<Emission>(light.words);
             emission.power /= float(rows * rows);
             emission.stratum = {.salt = 0, .rows = rows, .column_and_row = column | row << 16};
             write_words(emission, cells.emplace_back(light).words);
@@ -40,7 +46,7 @@ std::vector<Light> make_cells(const Light &light, uint rows) {
 
 void append_cells(const std::vector<Light> &cells, Spectrum radiance, uint instance, std::vector<Light> &lights) {
     for (const Light &cell : cells) {
-        Emission emission = emission_of(cell);
+        auto emission = view_of<Emission>(cell.words);
         emission.power *= radiance;
         emission.stratum.salt = uint(lights.size());
         emission.instance = instance;

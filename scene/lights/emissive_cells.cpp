@@ -5,6 +5,7 @@
 #include <span>
 
 #include "scene/bounds.h"
+#include "scene/lights/aliases.h"
 #include "scene/lights/emissive_faces.h"
 
 namespace brandung {
@@ -35,25 +36,11 @@ void sort_along_curve(std::vector<EmissiveFace> &faces) {
 
 double part_of(const EmissiveFace &face) { return (double(face.last - face.first) + 1) * 0x1p-32; }
 
-/// Entry i of n stands for itself with probability `kept` and for its alias otherwise, so that all together choose each face by the area of its part:
-/// entries with more than 1/n of the area give what those with less lack (Vose, IEEE Trans. Software Eng. 17(9) 1991).
 void write_aliases(std::span<EmissiveFace> faces) {
-    std::vector<double> share(faces.size());
-    double area = 0;
-    for (const EmissiveFace &face : faces) area += area_of(face) * part_of(face);
-    std::vector<uint> poor, rich;
-    for (uint i = 0; i < faces.size(); ++i) {
-        share[i] = area_of(faces[i]) * part_of(faces[i]) / area * double(faces.size());
-        (share[i] < 1 ? poor : rich).push_back(i);
-        faces[i].kept = 1, faces[i].alias = i;
-    }
-    while (!poor.empty() && !rich.empty()) {
-        const uint low = poor.back(), high = rich.back();
-        poor.pop_back();
-        faces[low].kept = float(share[low]), faces[low].alias = high;
-        share[high] -= 1 - share[low];
-        if (share[high] < 1) rich.pop_back(), poor.push_back(high);
-    }
+    std::vector<double> areas;
+    for (const EmissiveFace &face : faces) areas.push_back(area_of(face) * part_of(face));
+    const std::vector<Alias> aliases = make_aliases(areas);
+    for (std::size_t i = 0; i < faces.size(); ++i) faces[i].kept = aliases[i].kept, faces[i].alias = aliases[i].alias;
 }
 
 /// How far along a face's curve an area leads [2^-32].

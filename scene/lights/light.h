@@ -14,8 +14,10 @@ class Parameters;
 
 /// `kernels/lights/<name>.cl` has its device functions; Light.kind is its place in light_kinds().
 struct LightKind {
-    const char *name;                             ///< in scene files and as prefix of device functions
-    const char *record;                           ///< its view of Light.words
+    const char *name;    ///< in scene files and as prefix of device functions
+    const char *record;  ///< its view of Light.words
+    /// Power [W], about: by it paths choose lights. `extent` is how far the scene reaches from the origin, for what shines from or to infinitely far.
+    Spectrum (*power)(const Light &light, float extent);
     Light (*read)(const Parameters &parameters);  ///< null: made of emissive shapes
 };
 const std::vector<LightKind> &light_kinds();
@@ -38,6 +40,9 @@ std::vector<Light> make_cells(const Light &light, uint rows);
 void append_cells(const std::vector<Light> &cells, Spectrum radiance, uint instance, std::vector<Light> &lights);
 /// The cone has the full angle `angle` in (0, 2 pi] [radians]; over the outer part `penumbra` in [0, 1] of half of that the intensity falls to 0.
 void shape_cone(SpotLight &light, double angle, double penumbra);
+
+/// By what the intensity is divided at this distance, over its square.
+float attenuation_to_square(vec3 attenuation, float distance);
 
 /// The parts of a light's attenuation.
 vec3 read_attenuation(const Parameters &parameters);

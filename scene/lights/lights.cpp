@@ -6,15 +6,21 @@ namespace brandung {
 Light read_point(const Parameters &parameters);
 Light read_directional(const Parameters &parameters);
 Light read_spot(const Parameters &parameters);
+Spectrum power_of_point(const Light &light, float extent);
+Spectrum power_of_directional(const Light &light, float extent);
+Spectrum power_of_spot(const Light &light, float extent);
+Spectrum power_of_emissive_mesh(const Light &light, float extent);
+Spectrum power_of_emissive_sphere(const Light &light, float extent);
+Spectrum power_of_emissive_frustum(const Light &light, float extent);
 
 const std::vector<LightKind> &light_kinds() {
     static const std::vector<LightKind> kinds = {
-        {"point", "PointLight", read_point},
-        {"directional", "DirectionalLight", read_directional},
-        {"spot", "SpotLight", read_spot},
-        {"emissive_mesh", "EmissiveMesh", nullptr},
-        {"emissive_sphere", "EmissiveSphere", nullptr},
-        {"emissive_frustum", "EmissiveFrustum", nullptr},
+        {"point", "PointLight", power_of_point, read_point},
+        {"directional", "DirectionalLight", power_of_directional, read_directional},
+        {"spot", "SpotLight", power_of_spot, read_spot},
+        {"emissive_mesh", "EmissiveMesh", power_of_emissive_mesh, nullptr},
+        {"emissive_sphere", "EmissiveSphere", power_of_emissive_sphere, nullptr},
+        {"emissive_frustum", "EmissiveFrustum", power_of_emissive_frustum, nullptr},
     };
     return kinds;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "scene/kinds.h"
 #include "scene/lights/light.h"
@@ -37,6 +38,12 @@ Light make_light(const SpotLight &light) {
     result.kind = kind_number(light_kinds(), "spot");
     write_words(light, result.words);
     return result;
+}
+
+/// That of the whole cone at full intensity.
+Spectrum power_of_spot(const Light &light, float extent) {
+    const SpotLight view = view_of<SpotLight>(light.words);
+    return view.intensity * (2 * std::numbers::pi_v<float> * view.edge / attenuation_to_square(view.attenuation, extent));
 }
 
 Light read_spot(const Parameters &parameters) {

@@ -143,7 +143,7 @@ TEST(Levels, LaunchesAreFullAsLongAsTheyCanBe) {
 /// A binary tree of depth 3 over 4 rays, in levels of 4 slots: a wave takes two rays at most, except from the last level.
 TEST(Levels, EachStepIsToldToThoseWhoAsk) {
     std::vector<WaveStep> steps;
-    Levels levels(test_device(), 4, 2, 3, 0, false, [&](const WaveStep &step) { steps.push_back(step); });
+    Levels levels(test_device(), 4, 2, 3, {}, [&](const WaveStep &step) { steps.push_back(step); });
     levels.start(4);
     while (const auto wave = levels.next())
         if (wave->children) levels.add_children(*wave, 2 * wave->count);
@@ -159,7 +159,7 @@ TEST(Levels, EachStepIsToldToThoseWhoAsk) {
 
 TEST(Levels, TheyCanBeStartedAgain) {
     const Case c{.batch = 64, .branching = 2, .generations = 3, .survival = Survival::half, .start = 64};
-    Levels levels(test_device(), c.batch, c.branching, c.generations, 1, false);
+    Levels levels(test_device(), c.batch, c.branching, c.generations, {.interior_size = 1});
     for (uint count : {64u, 1u, 33u}) {
         levels.start(count);
         uint handed_out = 0;

@@ -7,5 +7,6 @@
 #define HIGHLIGHTS 1
 #define SHADING_NORMALS 1
 #define INSTANCES 1
+#define LIGHTS 1
 #define INSTANCE_KIND 4u
 #define FLAT_KINDS 0x3u

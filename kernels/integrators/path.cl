@@ -1,0 +1,156 @@
+// Path tracing (Kajiya, SIGGRAPH 1986) with light asked at every surface, both ways of finding it weighted by Veach's power heuristic (thesis 1997,
+// section 9.2). The loop over these kernels is runtime/integrators/path.cpp.
+#include "generated/constants.h"
+#include "generated/instances.cl"
+#include "generated/interior.cl"
+#include "generated/tints.cl"
+#include "kernels/bsdfs/scattering.cl"
+#include "kernels/core/frame.cl"
+#include "kernels/core/load.cl"
+#include "kernels/core/params.h"
+#include "kernels/core/random.cl"
+#include "kernels/core/scene.cl"
+#include "kernels/core/spawn.cl"
+#include "kernels/lights/choice.cl"
+#include "kernels/lights/light.cl"
+#include "kernels/samplers/slot.cl"
+
+// A path's uses of its sampler at each surface.
+#define USE_DIRECTION 1u
+#define USE_CHOICES 2u
+#define USE_LIGHT 3u
+#define USE_ROULETTE 4u
+#define USES_PER_SURFACE 4u
+
+/// The weight of what was found with the density a, where the other way would have found it with the density b, given b / a.
+FUNCTION float power_heuristic(float ratio) { return 1.0f / fma(ratio, ratio, 1.0f); }
+
+/// A surface as rays leave it: `normal`, of shading, on the side of wo, and what lies on both sides.
+typedef struct {
+    Frame frame;
+    vec3 geometric, near, far;
+} Sides;
+
+/// Where the shading normal faces away from wo, the geometric one stands for it.
+FUNCTION Sides sides_of(SurfacePoint surface, SurfaceInterface interface, vec3 wo) {
+    const bool lit_beyond = (surface.flags & SURFACE_LIT_BEYOND) != 0u;
+    const float side = lit_beyond ? -1.0f : 1.0f;
+    const vec3 normal = scaled(surface.normal, side);
+    Sides sides;
+    sides.geometric = scaled(interface.geometric, side);
+    sides.near = where(lit_beyond, interface.beyond, surface.origin), sides.far = where(lit_beyond, surface.origin, interface.beyond);
+    sides.frame = frame_of(where(dot3(normal, wo) > 0.0f, normal, sides.geometric));
+    return sides;
+}
+
+/// Whether a direction leads to the same side of the surface itself as of the shading normal's plane: `z` is its component along that normal.
+FUNCTION bool on_its_side(Sides sides, vec3 direction, float z) { return dot3(sides.geometric, direction) * z > 0.0f; }
+
+/// From live item i: the ray that goes on, in slot base + i, in the medium that it is in then, with the density `child_pdfs` of its direction; and
+/// shadow ray i, with what the light that it asks adds to the sample where it is visible. No ray leaves for a black value.
+kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const global uint *restrict pixels, LIVE_PARAMS,
+                       const global Path *restrict paths, const global SurfacePoint *restrict points,
+                       const global SurfaceInterface *restrict interfaces, const global vec3 *restrict directions,
+                       const global uint *restrict instances, const global Tints *restrict tints, const global uint *restrict interiors,
+                       const global uint *restrict beyond, uint base, global Ray *restrict children, global Path *restrict child_paths,
+                       global float *restrict child_pdfs, global uint *restrict child_sources, global uint *restrict child_interiors,
+                       global uchar *restrict child_alive, global Ray *restrict shadow_rays, global Spectrum *restrict shadow_light,
+                       global uchar *restrict shadow_alive) {
+    const Scene scene = SCENE;
+    const global Material *materials = SCENE_ARRAY(scene, Material, materials);
+    const global uint *list = live + first;
+    global Ray *first_rays = children + base;
+    global Path *first_paths = child_paths + base;
+    global float *first_pdfs = child_pdfs + base;
+    FOR_EACH_ITEM(i, count) {
+        const uint k = list[i];
+        const Path path = load(paths + k);
+        const SurfacePoint surface = load(points + i);
+        const SurfaceInterface interface = load(interfaces + i);
+        const Tints tint = tints_at(tints, i);
+        const vec3 wo = load(directions + i);
+        const global Material *material = materials + surface.material;
+        const uint primitive = SURFACE_PRIMITIVE(surface.flags);
+        const bool on_surface = (surface.flags & SURFACE_HIT) != 0u;
+
+        const PixelSample which = pixel_sample(path.slot, batch, pixels);
+        const uint uses = (path.depth - 1u) * USES_PER_SURFACE;
+        const vec2 direction_pair = sampler_pair(which.pixel, which.sample, uses + USE_DIRECTION, batch);
+        const vec2 choices = sampler_pair(which.pixel, which.sample, uses + USE_CHOICES, batch);
+
+        const Sides sides = sides_of(surface, interface, wo);
+        BsdfPoint point;
+        point.wo = to_frame(sides.frame, wo), point.eta = interface.eta;
+        point.diffuse_tint = tint.diffuse, point.specular_tint = tint.specular;
+
+        const BsdfSample next = bsdf_sample(material, point, direction_pair, choices.x);
+        const vec3 wi = unit(from_frame(sides.frame, next.wi));
+        const bool stays = next.wi.z > 0.0f, goes_on = on_surface & on_its_side(sides, wi, next.wi.z);
+        // Radiance in a medium of index n has a factor n², which must not count as brightness.
+        const float scale = stays ? 1.0f : 1.0f / (interface.eta * interface.eta);
+        const float survival = path.depth >= params.roulette_depth ? minimum(largest(next.weight) * scale, 1.0f) : 1.0f;
+        const bool survives = sampler_pair(which.pixel, which.sample, uses + USE_ROULETTE, batch).x < survival;
+        Path child = path;
+        child.depth = path.depth + 1u;
+        child.throughput = scaled(times(path.throughput, next.weight), 1.0f / maximum(survival, 0x1p-126f));
+        child.branch = hash(path.branch * 2u);
+        interior_choose(stays, interiors, k, beyond, i, child_interiors, base + i);
+        store_instance(child_sources, base + i, instance_at(instances, i));
+        first_rays[i] = ray_spawn(where(stays, sides.near, sides.far), wi, stays ? RAY_REFLECTED : RAY_REFRACTED, primitive);
+        first_paths[i] = child;
+        first_pdfs[i] = next.pdf;
+        child_alive[i] = goes_on && survives && largest(child.throughput) > 0.0f;
+
+        if (LIGHTS) {
+            const ChosenLight chosen = light_chosen(scene, choices.y);
+            const Light light = SCENE_ARRAY(scene, Light, lights)[chosen.row];
+            const vec2 square = sampler_pair(which.pixel, which.sample, uses + USE_LIGHT, batch);
+            const LightSample sample = light_sample(scene, light, surface.origin, light_random(square, path.branch));
+            const vec3 towards = to_frame(sides.frame, sample.direction);
+            const BsdfValue value = bsdf_eval(material, point, towards);
+            const float weight = power_heuristic(value.pdf * inverse_light_density(chosen, sample.irradiance));
+            const Spectrum received = scaled(times(value.value, sample.irradiance), chosen.inverse_chance * weight);
+            const Spectrum added = times(path.throughput, received);
+            const vec3 origin = where(towards.z > 0.0f, sides.near, sides.far);
+            shadow_rays[i] = ray_to_light(origin, sample.ray_direction, sample.distance, primitive);
+            shadow_light[i] = added;
+            const bool faces = on_surface & on_its_side(sides, sample.direction, towards.z);
+            shadow_alive[i] = faces && path.depth <= params.max_depth && largest(added) > 0.0f;
+        }
+    }
+}
+
+/// contributions[i]: what ray i adds to its sample by what shines where it ends, weighted against the light that its origin has asked, whose
+/// direction the surface there chose with density pdfs[k]; and by the light that its own surface asks, as far as visible[i] says.
+kernel void shade_path(SCENE_PARAMS, uint first_generation, LIVE_PARAMS, const global Ray *restrict rays, const global Path *restrict paths,
+                       const global float *restrict pdfs, const global Hit *restrict hits, const global uint *restrict instances,
+                       const global SurfacePoint *restrict points, const global SurfaceInterface *restrict interfaces,
+                       const global vec3 *restrict directions, const global Tints *restrict tints, uint with_lights,
+                       const global uchar *restrict visible, const global Spectrum *restrict shadow_light, global Spectrum *restrict contributions) {
+    const Scene scene = SCENE;
+    const global Material *materials = SCENE_ARRAY(scene, Material, materials);
+    const global ShadingRecord *records = SCENE_ARRAY(scene, ShadingRecord, shading);
+    const global uint *list = live + first;
+    const Spectrum background = scene.header->background, black = make3(0.0f, 0.0f, 0.0f);
+    FOR_EACH_ITEM(i, count) {
+        const uint k = list[i];
+        const SurfacePoint surface = load(points + i);
+        const Tints tint = tints_at(tints, i);
+        const bool on_surface = (surface.flags & SURFACE_HIT) != 0u;
+        const Spectrum radiance = load(&materials[surface.material].emission);
+        float weight = 1.0f;
+        if (LIGHTS) {
+            const uint primitive = on_surface ? SURFACE_PRIMITIVE(surface.flags) : 0u;
+            const vec3 from = load(&rays[k].origin), geometric = load(&interfaces[i].geometric);
+            const vec3 straight = minus(surface.origin, from);
+            const float distance = sqrt(dot3(straight, straight)), cosine = dot3(geometric, load(directions + i));
+            const float density =
+                emission_density(scene, records + primitive, instance_at(instances, i), radiance, from, surface.origin, geometric, distance, cosine);
+            weight = first_generation != 0u ? 1.0f : power_heuristic(density / pdfs[k]);
+        }
+        const Spectrum met = where(on_surface, scaled(radiance, weight), times(background, tint.diffuse));
+        const Spectrum emitted = times(met, load(&paths[k].throughput));
+        const bool lit = (with_lights != 0u) && visible[i] != 0;
+        contributions[i] = plus(where(largest(met) > 0.0f, emitted, black), where(lit, load(shadow_light + i), black));
+    }
+}

@@ -1,0 +1,42 @@
+// The light that a path asks at a surface, and how likely it would have asked for what a ray meets.
+#pragma once
+#include "generated/emissive_instances.cl"
+#include "kernels/core/lanes_1.cl"
+#include "kernels/core/scene.cl"
+#include "kernels/lights/light_choice.h"
+#include "kernels/primitives/primitive.cl"
+
+/// Never stored.
+typedef struct {
+    uint row;              ///< of the scene's lights
+    float inverse_chance;  ///< over the probability of this light
+    float radiance;        ///< as of LightChoice
+} ChosenLight;
+
+/// By u in [0, 1).
+FUNCTION ChosenLight light_chosen(Scene scene, float u) {
+    const global LightChoice *choices = SCENE_ARRAY(scene, LightChoice, light_choices);
+    const uint count = scene.header->light_choices.count;
+    const float place = u * (float)(int)count;
+    const uint entry = min((uint)(int)place, count - 1u);
+    const uint row = place - (float)(int)entry < choices[entry].kept ? entry : choices[entry].alias;
+    ChosenLight chosen;
+    chosen.row = row, chosen.inverse_chance = choices[row].inverse_chance, chosen.radiance = choices[row].radiance;
+    return chosen;
+}
+
+FUNCTION float mean_of(Spectrum s) { return (s.x + s.y + s.z) * (1.0f / 3.0f); }
+
+/// Over the density with which a path chooses the direction of this sample of the light [sr]; 0 for a light that shines from one point or direction.
+FUNCTION float inverse_light_density(ChosenLight chosen, Spectrum irradiance) {
+    return mean_of(irradiance) / chosen.radiance * chosen.inverse_chance;
+}
+
+/// The density with which a path at `from` would have chosen, as a point of a light, what its ray met at p, `distance` away [1/sr]: with the unit
+/// normal there, on a primitive of this radiance, in that instance. 0 where emissive shapes are not asked.
+FUNCTION float emission_density(Scene scene, const global ShadingRecord *record, uint instance, Spectrum radiance, vec3 from, vec3 p, vec3 normal,
+                                float distance, float cosine) {
+    const float by_area = mean_of(radiance) * scene.header->emission_chance * emissive_area_in_group(scene, instance, normal);
+    const vec3 from_in_group = lit_point_in_group(scene, instance, from), p_in_group = lit_point_in_group(scene, instance, p);
+    return by_area * primitive_emission_factor(record, from_in_group, p_in_group) * distance * distance / fabs(cosine);
+}

@@ -1,0 +1,38 @@
+// The numbers by which points of lights are chosen: functions of the way from the eye, the light and the cell, never of a lane or of the time.
+#pragma once
+#include "kernels/core/lanes_1.cl"
+#include "kernels/core/random.cl"
+#include "kernels/core/scene.h"
+
+/// Never stored.
+typedef struct {
+    vec2 square;  ///< a point in [0, 1)²
+    uint curve;   ///< or, for what divides Morton's curve through the square, a place on it
+    uint random;  ///< further numbers are hashes of it
+} LightRandom;
+
+/// For the ray with this branch; each emissive shape's cell has other numbers by its salt, in word 3. What lights of other kinds have there is all
+/// one, since they ask for none.
+FUNCTION LightRandom light_random(Light light, uint branch) {
+    LightRandom result;
+    result.random = hash(branch ^ hash(light.words[3] + 1u));
+    result.square.x = unit_interval(result.random), result.square.y = unit_interval(hash(result.random + 1u));
+    result.curve = hash(result.random + 1u);
+    return result;
+}
+
+/// The bits of x < 2^16, each followed by a 0.
+FUNCTION uint spread_bits(uint x) {
+    x = (x | x << 8) & 0x00ff00ffu;
+    x = (x | x << 4) & 0x0f0f0f0fu;
+    x = (x | x << 2) & 0x33333333u;
+    return (x | x << 1) & 0x55555555u;
+}
+
+/// Of a point of the square that a sampler has chosen.
+FUNCTION LightRandom light_random(vec2 square, uint random) {
+    LightRandom result;
+    result.square = square, result.random = random;
+    result.curve = spread_bits((uint)(int)(square.x * 0x1p16f)) | spread_bits((uint)(int)(square.y * 0x1p16f)) << 1;
+    return result;
+}

@@ -1,0 +1,128 @@
+/// Path tracing: the loop over kernels/integrators/path.cl.
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "runtime/integrators/shadows.h"
+#include "runtime/integrators/surfaces.h"
+#include "scene/error.h"
+
+namespace brandung {
+namespace {
+
+constexpr const char *path_cl = "kernels/integrators/path.cl";
+
+/// What asks for light at surfaces, and what comes of it.
+struct AskedLights {
+    explicit AskedLights(const IntegratorJob &job) : shadows(job, 1, true), light(job.device, job.batch) {}
+    Shadows shadows;
+    Buffer<Spectrum> light;  ///< what each shadow ray adds where nothing is in its way
+    std::size_t bytes() const { return shadows.bytes() + light.bytes(); }
+};
+
+class PathIntegrator : public Integrator {
+public:
+    explicit PathIntegrator(const IntegratorJob &job)
+        : scene_(job.on_device),
+          filter_(job.filter),
+          params_{job.scene.integrator.max_depth, job.scene.integrator.roulette_depth},
+          dark_emitters_(job.compiled.dark_emitters),
+          generate_(job.device, "kernels/stages/generate_camera_rays.cl", "generate_camera_rays", scene_.lists()),
+          spawn_(job.device, path_cl, "spawn_path", scene_.lists()),
+          shade_(job.device, path_cl, "shade_path", scene_.lists()),
+          accumulate_(job.device, "kernels/stages/accumulate.cl", "accumulate", scene_.lists()),
+          surfaces_(job, true, generate_.work_items(job.batch)),
+          levels_(job.device, job.batch, 1, params_.max_depth + 1,
+                  {.interior_size = job.compiled.interior_size, .instances = surfaces_.instances, .pdfs = true}, job.on_step),
+          compact_(job.device, job.batch, 1),
+          alive_(job.device, job.batch),
+          contributions_(job.device, job.batch),
+          refused_(job.device, 1),
+          no_rays_(job.device, 0),
+          no_spectra_(job.device, 0) {
+        if (job.compiled.header.light_choices.count > 0) asked_.emplace(job);
+        refused_.fill_zero();
+    }
+
+    void render(const Batch &batch, Buffer<Sample> &samples, WaveObserver *observer) override {
+        if (observer) throw Error("the rays of integrator path cannot be shown yet; --integrator whitted shows those of mirrors and glass");
+        Level &first = levels_.start(batch.count());
+        surfaces_.start(first, batch);
+        generate_(batch.count(), batch.camera, batch.params, filter_, several(batch.pixels, 1.0 / batch.params.samples), batch.count(), first.rays,
+                  first.paths, first.live, samples);
+        while (const auto wave = levels_.next()) {
+            surfaces_.find(*wave, batch);
+            if (wave->children) spawn(*wave, batch);
+            shade(*wave);
+            accumulate_(wave->count, *wave, wave->level.paths, contributions_, updated(samples), shared(refused_));
+            if (wave->children) levels_.add_children(*wave, compact_.counts().read().at(0));
+        }
+    }
+
+    RayCounts counts() const override { return surfaces_.counter.read(); }
+    std::uint64_t refused() const override { return refused_.read().at(0); }
+    std::uint64_t media_lost() const override { return surfaces_.media_lost(); }
+    std::size_t wave_bytes() const override {
+        return levels_.bytes_at_most() + surfaces_.bytes() + compact_.bytes() + alive_.bytes() + contributions_.bytes() +
+               (asked_ ? asked_->bytes() : 0);
+    }
+    std::vector<Skipped> skipped() const override {
+        std::vector<Skipped> skipped;
+        surfaces_.add_skipped(skipped);
+        if (!asked_) skipped.push_back({"trace_shadow_rays", "there are no lights, nor emissive surfaces that light anything"});
+        return skipped;
+    }
+    std::vector<Bias> biases() const override {
+        return {{"depth limit", fmt::format("integrator.max_depth {} ends paths after as many surfaces", params_.max_depth)}};
+    }
+    std::vector<NotShown> not_shown() const override {
+        if (dark_emitters_ == 0) return {};
+        return {
+            {"light of emissive surfaces by chance alone", "integrator.light_samples is 0: only rays that happen to meet them bring their light"}};
+    }
+
+private:
+    /// The rays that go on, and those that ask for light.
+    void spawn(const Wave &wave, const Batch &batch) {
+        Level &below = *wave.children;
+        const bool lit = asked_.has_value();
+        spawn_(wave.count, scene_.tables(), params_, batch.params, several(batch.pixels, 1.0 / batch.params.samples), wave, wave.level.paths,
+               surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.hit_instances, surfaces_.tints(),
+               surfaces_.in_lists(wave.level.interiors), surfaces_.in_lists(surfaces_.beyond()), wave.base, below.rays, below.paths, below.pdfs,
+               below.sources, surfaces_.in_lists(below.interiors), alive_, lit ? asked_->shadows.rays : no_rays_, lit ? asked_->light : no_spectra_,
+               lit ? asked_->shadows.visible : surfaces_.no_bytes);
+        compact_(alive_, wave.count, wave.count, 1, wave.base, below.end, below.live);
+        if (!lit) return;
+        asked_->shadows.list(wave.count, 1);
+        asked_->shadows.trace(scene_, wave.generation, wave.count, 1, surfaces_.hit_instances, surfaces_.counter);
+    }
+
+    void shade(const Wave &wave) {
+        const bool lit = asked_.has_value();
+        shade_(wave.count, scene_, uint{wave.generation == 0}, wave, wave.level.rays, wave.level.paths, wave.level.pdfs, surfaces_.hits,
+               surfaces_.hit_instances, surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.tints(),
+               uint{lit && wave.children != nullptr}, lit ? asked_->shadows.visible : surfaces_.no_bytes, lit ? asked_->light : no_spectra_,
+               contributions_);
+    }
+
+    const DeviceScene &scene_;
+    const Filter &filter_;
+    PathParams params_;
+    uint dark_emitters_;
+    Kernel generate_, spawn_, shade_, accumulate_;
+    Surfaces surfaces_;
+    Levels levels_;
+    Compaction compact_;
+    Buffer<std::uint8_t> alive_;
+    Buffer<Spectrum> contributions_;
+    Buffer<uint> refused_;
+    Buffer<Ray> no_rays_;  ///< these stand for arrays that the scene does without
+    Buffer<Spectrum> no_spectra_;
+    std::optional<AskedLights> asked_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_path(const IntegratorJob &job) { return std::make_unique<PathIntegrator>(job); }
+
+}  // namespace brandung

@@ -1,0 +1,18 @@
+/// Which light a path asks: each as likely as its power is of all.
+#pragma once
+#include <vector>
+
+#include "kernels/lights/light_choice.h"
+#include "scene/lights/light_rows.h"
+
+namespace brandung {
+
+struct LightChoices {
+    std::vector<LightChoice> choices;  ///< by row
+    float emission = 0;                ///< probability density by area, in their own space, of points of emissive shapes, over the mean of their radiance
+};
+
+/// Empty if no light has any power. `extent`: see LightKind::power.
+LightChoices make_light_choices(const LightRows &lights, const Scene &scene, float extent);
+
+}  // namespace brandung
