@@ -24,6 +24,7 @@
 #include "kernels/lights/directional.h"
 #include "kernels/lights/emission.h"
 #include "kernels/lights/light.h"
+#include "kernels/lights/light_choice.h"
 #include "kernels/lights/point.h"
 #include "kernels/lights/spot.h"
 #include "kernels/primitives/frustum.h"
@@ -100,9 +101,8 @@ const Layouts &host_layouts() {
         RECORD(Material, kind, flags, priority, eta, emission, diffuse_texture, specular_texture, words),
         RECORD(Light, kind, words),
         RECORD(Group, blocks, nodes, extent),
-        RECORD(SceneHeader, world, groups, instances, shading, vertex_normals, vertex_uvs, vertex_colors, emissive_faces, materials, lights, light_choices,
-               emission_chance, textures,
-               background, ambient, background_texture, background_turn),
+        RECORD(SceneHeader, world, groups, instances, shading, vertex_normals, vertex_uvs, vertex_colors, emissive_faces, materials, lights,
+               light_choices, emission_chance, textures, background, ambient, background_texture, background_turn),
         RECORD(Transform, x, y, z, origin),
         RECORD(Instance, to_world, to_group, group, material, spare),
         RECORD(InstanceBlock, primitive, low, high),
@@ -120,6 +120,9 @@ const Layouts &host_layouts() {
         RECORD(Whitted, ambient, diffuse, specular, reflection, transmission, exponent, fresnel),
         RECORD(Phong, diffuse, specular, exponent),
         RECORD(Split, reflected, refracted),
+        RECORD(BsdfPoint, wo, eta, diffuse_tint, specular_tint),
+        RECORD(BsdfValue, value, pdf),
+        RECORD(BsdfSample, wi, weight, pdf),
         RECORD(PointLight, position, intensity, attenuation),
         RECORD(DirectionalLight, direction, irradiance),
         RECORD(SpotLight, position, direction, intensity, attenuation, edge, steepness),

@@ -1,0 +1,154 @@
+/// Path tracing against what analysis and Whitted's integrator know.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <utility>
+
+#include "scene/compile.h"
+#include "scene/lights/light.h"
+#include "scene/primitives/add.h"
+#include "tests/images/irradiance.h"
+
+namespace {
+
+using namespace brandung;
+using namespace irradiance;
+
+/// A closed sphere of radius 1 from within.
+Scene furnace(uint depth, Spectrum emission) {
+    Scene scene = scene_seen_at({0.3f, 0.2f, -0.4f}, {-1, 0.5f, 0.7f});
+    scene.cameras[0].fov = 1;
+    scene.integrator.type = "path", scene.integrator.max_depth = depth;
+    scene.materials.clear();
+    Material material = matte(0.5f);
+    material.emission = emission;
+    add_sphere(scene, add_material(scene, material), {0, 0, 0}, 1);
+    return scene;
+}
+
+class Depth : public testing::TestWithParam<uint> {};
+
+}  // namespace
+
+/// Every surface adds its half of what comes from all the others, and the last one the light that it asks.
+TEST_P(Depth, ASphereThatShinesAndReflectsAHalfHasOneButWhatDepthCuts) {
+    const Real expected = 1 - std::exp2(-Real(GetParam()) - 1);
+    Scene scene = furnace(GetParam(), Spectrum(0.5f));
+    expect_mean(estimate(scene), expected);
+
+    scene.integrator.light_samples = 0;
+    expect_mean(estimate(scene), expected);
+}
+
+/// Irradiance π on all of the sphere at once, and half of that by each reflection: no sample differs from another, unless chance ends its path.
+TEST_P(Depth, ASphereAroundAPointLightHasOneButWhatDepthCuts) {
+    Scene scene = furnace(GetParam(), Spectrum(0));
+    scene.integrator.roulette_depth = 1000;
+    scene.lights.push_back(point_light({0, 0, 0}, Spectrum(oracle::pi)));
+    const Real expected = 1 - std::exp2(-Real(GetParam()));
+    const Estimate all = estimate(scene);
+    EXPECT_NEAR(double(all.mean), double(expected), 1e-5);
+    EXPECT_LT(all.variance, 1e-9L);
+
+    scene.integrator.roulette_depth = 1;
+    expect_mean(estimate(scene), expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(PathFurnace, Depth, testing::Values(1u, 2u, 4u, 12u), [](const auto &info) { return "Depth" + std::to_string(info.param); });
+
+namespace {
+
+/// Lamps over a floor that is seen at the origin.
+struct Lamps {
+    const char *name;
+    std::function<void(Scene &scene)> add;
+};
+
+/// Makes what was added to the world a group, which is seen turned, stretched and moved up.
+void place_stretched(Scene &scene) {
+    const uint group = add_group(scene, "lamps", std::exchange(scene.shapes, {}));
+    const AffineMap map = then(then(rotation(30, {1, 2, 3}), scaling({0.5, 1.2, 2})), translation({0.3, 2.5, 0}));
+    ASSERT_FALSE(add_instance(scene, group, map, NO_MATERIAL));
+}
+
+void add_quad_lamp(Scene &scene) { add_quad(scene, 1, {-1, 0.5f, -1}, {2, 0.5f, 0}, {0, 0, 1}); }
+
+const std::vector<Lamps> all_lamps = {
+    {"Quad", add_quad_lamp},
+    {"Sphere",
+     [](Scene &scene) {
+         add_sphere(scene, 1, {0.5f, 1, 0.3f}, 0.8f);
+     }},
+    {"SmallSphere",
+     [](Scene &scene) {
+         add_sphere(scene, 1, {1, 2, 0.3f}, 0.05f);
+     }},
+    {"SphereAround",
+     [](Scene &scene) {
+         add_sphere(scene, 1, {0.5f, 0.2f, 0.3f}, 2);
+     }},
+    {"Cylinder",
+     [](Scene &scene) {
+         scene.shapes.push_back(make_frustum(1, {-1, 0.5f, 0}, 0.3f, {1, 1, 0.5f}, 0.1f));
+     }},
+    {"StretchedSphere",
+     [](Scene &scene) {
+         add_sphere(scene, 1, {0, 0, 0}, 1), place_stretched(scene);
+     }},
+    {"StretchedQuads",
+     [](Scene &scene) {
+         add_quad_lamp(scene), add_quad(scene, 1, {-1, 0, -1}, {1, 0.5f, 0}, {0, 0, 1}), place_stretched(scene);
+     }},
+    {"Several",
+     [](Scene &scene) {
+         const uint bright = add_material(scene, emitter(Spectrum(5, 1, 0)));
+         add_quad_lamp(scene), add_sphere(scene, bright, {2, 1, 1}, 0.3f), add_sphere(scene, 1, {-2, 1, 1}, 0.3f);
+         scene.lights.push_back(point_light({0, 2, 0}, Spectrum(0.7f)));
+         scene.lights.push_back(spot_light({1, 2, 1}, {0, 0, 0}, Spectrum(2), 40, 0.3));
+     }},
+};
+
+class PathLamps : public testing::TestWithParam<Lamps> {};
+
+}  // namespace
+
+/// Light asked and light met share what Whitted's integrator finds by asking alone. Neither way by itself needs the other.
+TEST_P(PathLamps, GiveWhatWhittedFindsBothWaysTogetherAndByChanceAlone) {
+    Scene scene = scene_seen_at({0.4f, 1.1f, 0.5f}, {0, 0, 0});
+    scene.film.spp = 64;
+    GetParam().add(scene);
+    add_floor(scene);
+    const Estimate whitted = estimate(scene);
+    scene.integrator.type = "path";
+    const Estimate both = estimate(scene);
+    const auto differ = [](const Estimate &a, const Estimate &b) {
+        return statistics::p_of_difference({double(a.mean), double(a.variance / Real(a.samples))},
+                                           {double(b.mean), double(b.variance / Real(b.samples))});
+    };
+    EXPECT_TRUE(statistics::plausible(differ(both, whitted))) << both.mean << " instead of " << whitted.mean;
+    EXPECT_LT(both.error(), 0.015L * both.mean) << "the test can tell";
+    if (!scene.lights.empty()) return;  // which no ray meets
+    scene.integrator.light_samples = 0;
+    const Estimate met = estimate(scene);
+    EXPECT_TRUE(statistics::plausible(differ(met, whitted))) << met.mean << " instead of " << whitted.mean;
+    EXPECT_EQ(met.shadow_rays, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Path, PathLamps, testing::ValuesIn(all_lamps), [](const auto &info) { return std::string(info.param.name); });
+
+/// The picture is a function of the scene: neither of how it is cut into batches, nor of kernels made for more than it has.
+TEST(Path, BatchesAndKernelsForEverythingGiveTheSameBits) {
+    Scene scene = scene_seen_at({0.4f, 1.1f, 0.5f}, {0, 0, 0});
+    scene.cameras[0].fov = 1;
+    scene.integrator.type = "path", scene.integrator.max_depth = 5;
+    add_floor(scene), add_quad_lamp(scene);
+    add_sphere(scene, add_material(scene, glass(1.5f)), {0, 0.3f, 0}, 0.3f);
+    add_sphere(scene, add_material(scene, mirror(0.9f)), {0.5f, 0.2f, 0.1f}, 0.2f);
+    const std::uint64_t hash = film_hash(render_scene(scene).film);
+    EXPECT_EQ(film_hash(render_scene(scene, {.batch = 1000}).film), hash);
+    EXPECT_EQ(film_hash(render_scene(scene, {}, Kinds::all).film), hash);
+    for (const char *accelerator : {"none", "kd_tree"}) {
+        scene.accelerator = accelerator;
+        EXPECT_EQ(film_hash(render_scene(scene).film), hash) << accelerator;
+    }
+}
