@@ -54,10 +54,9 @@ typedef struct {
     Span vertex_uvs, vertex_colors;  ///< VertexUvs, VertexColors of triangles that have some
     Span emissive_faces;             ///< EmissiveFace of meshes that shine
     Span materials, lights;
-    Span light_choices;  ///< LightChoice by light, for paths
-    float
-        emission_chance;  ///< probability density by area, in their own space, of points of emissive shapes, over the mean of their radiance; 0: not chosen
-    Span textures;        ///< TextureRecord
+    Span light_choices;     ///< LightChoice by light, for paths
+    float emission_chance;  ///< density by area of paths' points on emissive shapes, in their spaces, over their mean radiance; 0: none are chosen
+    Span textures;          ///< TextureRecord
     Spectrum background, ambient;
     uint background_texture;  ///< number + 1 of the picture that the background is multiplied by; 0: none
     float background_turn;    ///< by which the picture is turned about the y axis [turns]

@@ -52,7 +52,10 @@ public:
                   first.paths, first.live, samples);
         while (const auto wave = levels_.next()) {
             surfaces_.find(*wave, batch);
-            if (wave->children) spawn(*wave, batch);
+            if (wave->children)
+                spawn(*wave, batch);
+            else
+                cut_ += wave->count;
             shade(*wave);
             accumulate_(wave->count, *wave, wave->level.paths, contributions_, updated(samples), shared(refused_));
             if (wave->children) levels_.add_children(*wave, compact_.counts().read().at(0));
@@ -73,7 +76,8 @@ public:
         return skipped;
     }
     std::vector<Bias> biases() const override {
-        return {{"depth limit", fmt::format("integrator.max_depth {} ends paths after as many surfaces", params_.max_depth)}};
+        if (cut_ == 0) return {};
+        return {{"depth limit", fmt::format("integrator.max_depth {} ended {} paths", params_.max_depth, cut_)}};
     }
     std::vector<NotShown> not_shown() const override {
         if (dark_emitters_ == 0) return {};
@@ -109,6 +113,7 @@ private:
     const Filter &filter_;
     PathParams params_;
     uint dark_emitters_;
+    std::uint64_t cut_ = 0;  ///< rays whose surfaces send no more
     Kernel generate_, spawn_, shade_, accumulate_;
     Surfaces surfaces_;
     Levels levels_;

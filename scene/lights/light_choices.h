@@ -9,7 +9,7 @@ namespace brandung {
 
 struct LightChoices {
     std::vector<LightChoice> choices;  ///< by row
-    float emission = 0;                ///< probability density by area, in their own space, of points of emissive shapes, over the mean of their radiance
+    float emission = 0;                ///< SceneHeader.emission_chance
 };
 
 /// Empty if no light has any power. `extent`: see LightKind::power.

@@ -26,6 +26,12 @@ Scene furnace(uint depth, Spectrum emission) {
     return scene;
 }
 
+/// Of a difference as large as that of the means, if both are of the same.
+double p_of(const Estimate &a, const Estimate &b) {
+    return statistics::p_of_difference({double(a.mean), double(a.variance / Real(a.samples))},
+                                       {double(b.mean), double(b.variance / Real(b.samples))});
+}
+
 class Depth : public testing::TestWithParam<uint> {};
 
 }  // namespace
@@ -67,7 +73,7 @@ struct Lamps {
 /// Makes what was added to the world a group, which is seen turned, stretched and moved up.
 void place_stretched(Scene &scene) {
     const uint group = add_group(scene, "lamps", std::exchange(scene.shapes, {}));
-    const AffineMap map = then(then(rotation(30, {1, 2, 3}), scaling({0.5, 1.2, 2})), translation({0.3, 2.5, 0}));
+    const AffineMap map = then(then(rotation(30, {1, 2, 3}), scaling({0.5, 1.2, 2})), translation({0.3, 1.6, 0}));
     ASSERT_FALSE(add_instance(scene, group, map, NO_MATERIAL));
 }
 
@@ -99,6 +105,7 @@ const std::vector<Lamps> all_lamps = {
      [](Scene &scene) {
          add_quad_lamp(scene), add_quad(scene, 1, {-1, 0, -1}, {1, 0.5f, 0}, {0, 0, 1}), place_stretched(scene);
      }},
+    {"Directional", [](Scene &scene) { scene.lights.push_back(directional_light(glm::normalize(vec3(1, 1, 0)), Spectrum(0.4f))); }},
     {"Several",
      [](Scene &scene) {
          const uint bright = add_material(scene, emitter(Spectrum(5, 1, 0)));
@@ -114,23 +121,20 @@ class PathLamps : public testing::TestWithParam<Lamps> {};
 
 /// Light asked and light met share what Whitted's integrator finds by asking alone. Neither way by itself needs the other.
 TEST_P(PathLamps, GiveWhatWhittedFindsBothWaysTogetherAndByChanceAlone) {
-    Scene scene = scene_seen_at({0.4f, 1.1f, 0.5f}, {0, 0, 0});
+    Scene scene = scene_seen_at({0.3f, 0.12f, -0.5f}, {0, 0, 0});
     scene.film.spp = 64;
     GetParam().add(scene);
     add_floor(scene);
     const Estimate whitted = estimate(scene);
+    ASSERT_GT(whitted.shadow_rays, 0u) << "what is seen is the floor, no lamp";
     scene.integrator.type = "path";
     const Estimate both = estimate(scene);
-    const auto differ = [](const Estimate &a, const Estimate &b) {
-        return statistics::p_of_difference({double(a.mean), double(a.variance / Real(a.samples))},
-                                           {double(b.mean), double(b.variance / Real(b.samples))});
-    };
-    EXPECT_TRUE(statistics::plausible(differ(both, whitted))) << both.mean << " instead of " << whitted.mean;
+    EXPECT_TRUE(statistics::plausible(p_of(both, whitted))) << both.mean << " instead of " << whitted.mean;
     EXPECT_LT(both.error(), 0.015L * both.mean) << "the test can tell";
     if (!scene.lights.empty()) return;  // which no ray meets
     scene.integrator.light_samples = 0;
     const Estimate met = estimate(scene);
-    EXPECT_TRUE(statistics::plausible(differ(met, whitted))) << met.mean << " instead of " << whitted.mean;
+    EXPECT_TRUE(statistics::plausible(p_of(met, whitted))) << met.mean << " instead of " << whitted.mean;
     EXPECT_EQ(met.shadow_rays, 0u);
 }
 
@@ -151,4 +155,50 @@ TEST(Path, BatchesAndKernelsForEverythingGiveTheSameBits) {
         scene.accelerator = accelerator;
         EXPECT_EQ(film_hash(render_scene(scene).film), hash) << accelerator;
     }
+}
+
+namespace {
+
+/// A lamp that a board keeps from shining on the table at y = 0; what it sends to the mirror at x = 2 comes to the table's point (1, 0, 0) over it,
+/// as if from a lamp at x = 6.
+Scene lamp_mirror_table(float lamp_at) {
+    Scene scene = scene_seen_at({1.5f, 2, 0.5f}, {1, 0, 0});
+    scene.film.spp = 1024;
+    scene.integrator.max_depth = 2;
+    add_quad(scene, 0, {0, 0, 1}, {1.9f, 0, 0}, {0, 0, -2});
+    add_quad(scene, 1, {lamp_at, 0.95f, -2}, {0, 0.15f, 0}, {0, 0, 4});
+    return scene;
+}
+
+}  // namespace
+
+TEST(PathTraps, AMirrorLightsTheTableAsALampBehindItWould) {
+    const Estimate behind = estimate(lamp_mirror_table(6));
+    Scene scene = lamp_mirror_table(-2);
+    add_quad(scene, 0, {-1, 0.5f, -2}, {0, 0, 4}, {0, 0.25f, 0});
+    add_quad(scene, add_material(scene, mirror(1)), {2, 0, -2}, {0, 0, 4}, {0, 2, 0});
+    EXPECT_EQ(estimate(scene).mean, 0) << "Whitted leaves it dark";
+    scene.integrator.type = "path";
+    const Estimate path = estimate(scene);
+    EXPECT_TRUE(statistics::plausible(p_of(path, behind))) << path.mean << " instead of " << behind.mean;
+    EXPECT_LT(path.error(), 0.05L * path.mean) << "the test can tell";
+}
+
+/// A lamp under a shade lights the floor, and the floor the ceiling.
+TEST(PathTraps, AFloorLightsTheCeiling) {
+    Scene scene = scene_seen_at({0.4f, 0.5f, 0.3f}, {0, 2, 0});
+    scene.film.spp = 128;
+    scene.integrator.max_depth = 2;
+    add_floor(scene);
+    add_quad(scene, 0, {-3, 2, -3}, {6, 0, 0}, {0, 0, 6});
+    add_quad(scene, 1, {0.5f, 1, -0.5f}, {1, 0, 0}, {0, 0, 1});
+    add_quad(scene, 0, {0.4f, 1.05f, -0.6f}, {1.2f, 0, 0}, {0, 0, 1.2f});
+    EXPECT_EQ(estimate(scene).mean, 0) << "Whitted leaves it dark";
+    scene.integrator.type = "path";
+    const Estimate both = estimate(scene);
+    scene.integrator.light_samples = 0;
+    const Estimate met = estimate(scene);
+    EXPECT_GT(both.mean, 0.02L);
+    EXPECT_TRUE(statistics::plausible(p_of(both, met))) << both.mean << " but by chance " << met.mean;
+    EXPECT_LT(both.error(), 0.02L * both.mean) << "the test can tell";
 }
