@@ -35,9 +35,7 @@ FUNCTION float visible_area(Microfacets m, vec3 w) {
 
 /// Of the facets that are visible from one direction, the part that is visible from the other too, wi.z > 0: G2(wo, wi) / G1(wo), of heights that
 /// are correlated. `areas`: visible_area of wo (x) and wi (y).
-FUNCTION float visible_from_both(vec2 areas, float wo_z, float wi_z) {
-    return areas.x * wi_z / (areas.x * wi_z + areas.y * wo_z - wo_z * wi_z);
-}
+FUNCTION float visible_from_both(vec2 areas, float wo_z, float wi_z) { return areas.x * wi_z / (areas.x * wi_z + areas.y * wo_z - wo_z * wi_z); }
 
 /// A visible facet's normal: the cap of a sphere that is seen from w's stretched direction (Dupuy & Benyoub, CGF 42(8) 2023).
 FUNCTION vec3 ggx_visible_normal(float alpha, vec3 w, vec2 u) {
@@ -82,6 +80,24 @@ FUNCTION vec3 visible_normal(Microfacets m, vec3 w, vec2 u) {
 
 /// Direction that an ideal facet of normal h mirrors w into.
 FUNCTION vec3 mirrored(vec3 w, vec3 h) { return minus(scaled(h, 2.0f * dot3(w, h)), w); }
+
+/// Facets that mirror light from wi towards wo, whatever part of it; never stored.
+typedef struct {
+    float cosine;  ///< of the angle at a facet
+    float value;   ///< f(wo, wi) cos of wi of facets that reflect everything [1/sr]
+    float pdf;     ///< of wi, by a visible normal from wo that mirrors wo [1/sr]
+} FacetReflection;
+
+/// Of wi with z > 0.
+FUNCTION FacetReflection reflected_by_facets(Microfacets m, vec3 wo, vec3 wi) {
+    const vec3 h = unit(plus(wo, wi));
+    vec2 areas;
+    areas.x = visible_area(m, wo), areas.y = visible_area(m, wi);
+    FacetReflection result;
+    result.cosine = dot3(wo, h), result.pdf = facet_density(m, h) / (4.0f * areas.x);
+    result.value = result.pdf * visible_from_both(areas, wo.z, wi.z);
+    return result;
+}
 
 /// Fresnel's reflectance of unpolarised light at a conductor of index eta + i k.
 FUNCTION float conductor_fresnel(float cosine, float eta, float k) {

@@ -16,9 +16,5 @@ FUNCTION vec3 cosine_hemisphere(vec2 u) {
     return make3(p.x, p.y, sqrt(maximum(1.0f - u.x, 0.0f)));
 }
 
-/// On the hemisphere above z = 0, with density (n + 1) / 2π cosine^n.
-FUNCTION vec3 power_hemisphere(vec2 u, float exponent) {
-    const float z = power(1.0f - u.x, 1.0f / (exponent + 1.0f)), radius = sqrt(maximum((1.0f - z) * (1.0f + z), 0.0f));
-    const vec2 azimuth = turn(u.y);
-    return make3(radius * azimuth.x, radius * azimuth.y, z);
-}
+/// Cosine of the angle to an axis, of directions around it with density (n + 1) / 2π cosine^n.
+FUNCTION float power_cosine(float u, float exponent) { return power(1.0f - u, 1.0f / (exponent + 1.0f)); }
