@@ -16,9 +16,15 @@ template <class KindsOfFamily> std::vector<uint> numbers_of(const KindsOfFamily 
     return numbers;
 }
 
+std::vector<uint> numbers_of_whitted_bsdfs() {
+    std::vector<uint> numbers = numbers_of(bsdf_kinds());
+    std::erase_if(numbers, [](uint kind) { return !bsdf_kinds()[kind].is_whitted; });
+    return numbers;
+}
+
 /// As if the scene used whatever changes no picture by being there.
 void use_everything(const Scene &scene, CompiledScene &compiled) {
-    compiled.bsdfs = numbers_of(bsdf_kinds()), compiled.lights = numbers_of(light_kinds());
+    compiled.bsdfs = numbers_of_whitted_bsdfs(), compiled.lights = numbers_of(light_kinds());
     compiled.reflects = compiled.transmits = compiled.emissive_instances = compiled.highlights = compiled.shading_normals = compiled.tints = true;
     compiled.filters_shadows = scene.integrator.filtered_shadows;
     compiled.interior_size = max_interior_size;

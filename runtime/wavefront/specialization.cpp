@@ -64,6 +64,13 @@ std::string family(const std::vector<uint> &in_use, const Kinds &kinds, const st
     return text + "#define " + list_name + "(X)" + list + "\n";
 }
 
+/// The kinds in use that Whitted's integrator can show.
+std::vector<uint> whitted_bsdfs(const CompiledScene &scene) {
+    std::vector<uint> kinds = scene.bsdfs;
+    std::erase_if(kinds, [](uint kind) { return !bsdf_kinds()[kind].is_whitted; });
+    return kinds;
+}
+
 }  // namespace
 
 uint branching(const CompiledScene &scene) {
@@ -74,7 +81,7 @@ uint branching(const CompiledScene &scene) {
 Sources specialize(const CompiledScene &scene, RayLanes lanes) {
     Sources sources;
     add_primitives(scene, sources);
-    sources["generated/bsdfs.cl"] = family(scene.bsdfs, bsdf_kinds(), "bsdfs", "FOR_EACH_BSDF");
+    sources["generated/bsdfs.cl"] = family(whitted_bsdfs(scene), bsdf_kinds(), "bsdfs", "FOR_EACH_BSDF");
     sources["generated/lights.cl"] = family(scene.lights, light_kinds(), "lights", "FOR_EACH_LIGHT");
     add_accelerator(scene, lanes, sources);
     sources["generated/instances.cl"] = include(scene.instances ? "primitives/instance.cl" : "primitives/no_instance.cl");

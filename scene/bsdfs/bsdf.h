@@ -15,6 +15,7 @@ struct BsdfKind {
     const char *name;                                              ///< in scene files and as prefix of device functions
     const char *record;                                            ///< its view of Material.words
     Material (*read)(const Parameters &parameters, Scene &scene);  ///< may add textures to the scene
+    bool is_whitted;                                               ///< has the functions that Whitted's integrator asks for (kernels/bsdfs/bsdf.cl)
 };
 const std::vector<BsdfKind> &bsdf_kinds();
 /// Sets kind, words and the flags that follow from them; eta, priority and emission are the caller's.

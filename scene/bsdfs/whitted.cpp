@@ -1,6 +1,5 @@
 /// Whitted's material in scene files.
-#include "scene/bsdfs/bsdf.h"
-#include "scene/kinds.h"
+#include "scene/bsdfs/make.h"
 #include "scene/parameters.h"
 #include "scene/scene.h"
 #include "scene/textures/textured.h"
@@ -14,14 +13,10 @@ constexpr uint max_priority = 1u << 24;
 }  // namespace
 
 Material make_material(const Whitted &whitted) {
-    Material material{};
-    material.kind = kind_number(bsdf_kinds(), "whitted");
-    material.flags = (largest(whitted.reflection) > 0 ? MATERIAL_REFLECTS : 0) | (largest(whitted.transmission) > 0 ? MATERIAL_TRANSMITS : 0) |
-                     (largest(whitted.diffuse) > 0 || largest(whitted.specular) > 0 ? MATERIAL_LIT : 0) |
-                     (largest(whitted.specular) > 0 ? MATERIAL_HIGHLIGHT : 0);
-    material.eta = 1;
-    write_words(whitted, material.words);
-    return material;
+    const uint flags = (largest(whitted.reflection) > 0 ? MATERIAL_REFLECTS : 0) | (largest(whitted.transmission) > 0 ? MATERIAL_TRANSMITS : 0) |
+                       (largest(whitted.diffuse) > 0 || largest(whitted.specular) > 0 ? MATERIAL_LIT : 0) |
+                       (largest(whitted.specular) > 0 ? MATERIAL_HIGHLIGHT : 0);
+    return material_of_kind("whitted", flags, whitted);
 }
 
 Material read_whitted(const Parameters &parameters, Scene &scene) {

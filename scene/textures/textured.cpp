@@ -35,6 +35,11 @@ TexturedSpectrum read_textured(const Parameters &parameters, const std::string &
     return {scale, read_picture_at(texture, "texture", wrap, scene)};
 }
 
+TexturedSpectrum read_textured_fraction(const Parameters &parameters, const std::string &name, Spectrum fallback, Scene &scene) {
+    if (!parameters.is_object(name)) return {parameters.fraction(name, fallback), 0};
+    return read_textured(parameters, name, fallback, scene);
+}
+
 void read_background(const Parameters &root, Scene &scene) {
     if (!root.has("background")) return;
     scene.background_texture = 0;

@@ -16,6 +16,9 @@ struct TexturedSpectrum {
 /// relative to the scene's folder. Throws SceneError.
 TexturedSpectrum read_textured(const Parameters &parameters, const std::string &name, Spectrum fallback, Scene &scene);
 
+/// The same, no spectrum beyond 1; the scale of a picture, which may be dark, has no bound.
+TexturedSpectrum read_textured_fraction(const Parameters &parameters, const std::string &name, Spectrum fallback, Scene &scene);
+
 /// The value "background": a spectrum, or {"image": FILE, "encoding": ..., "rotate": DEGREES, "scale": SPECTRUM}, if there is one.
 void read_background(const Parameters &root, Scene &scene);
 

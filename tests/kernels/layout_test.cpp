@@ -16,6 +16,10 @@
 #include "kernels/accelerators/wide_bvh.h"
 #include "kernels/accelerators/work.h"
 #include "kernels/bsdfs/bsdf.h"
+#include "kernels/bsdfs/conductor.h"
+#include "kernels/bsdfs/diffuse.h"
+#include "kernels/bsdfs/phong.h"
+#include "kernels/bsdfs/plastic.h"
 #include "kernels/bsdfs/whitted.h"
 #include "kernels/core/items.h"
 #include "kernels/core/params.h"
@@ -118,6 +122,14 @@ const Layouts &host_layouts() {
         RECORD(Work, steps, cells, empty_cells, listed, blocks, tests, missed, idle, served),
         RECORD(BvhNode, low, high, child, spare),
         RECORD(Whitted, ambient, diffuse, specular, reflection, transmission, exponent, fresnel),
+        RECORD(Diffuse, reflectance),
+        RECORD(AlbedoCurve, terms),
+        RECORD(Conductor, eta, k, specular, multiple, alpha, distribution, albedo),
+        RECORD(Plastic, diffuse, eta, internal, scale, alpha, distribution, nonlinear, albedo),
+        RECORD(ModifiedPhong, diffuse, specular, exponent),
+        RECORD(BsdfPoint, wo, eta, diffuse_tint, specular_tint),
+        RECORD(BsdfValue, value, pdf),
+        RECORD(BsdfSample, wi, weight, pdf),
         RECORD(Phong, diffuse, specular, exponent),
         RECORD(Split, reflected, refracted),
         RECORD(BsdfPoint, wo, eta, diffuse_tint, specular_tint),

@@ -1,0 +1,20 @@
+// From the unit square to other shapes.
+#pragma once
+#include "kernels/core/math.cl"
+
+/// Uniform on the unit disk.
+FUNCTION vec2 uniform_on_disk(vec2 u) {
+    const float radius = sqrt(u.x);
+    vec2 p = turn(u.y);
+    p.x *= radius, p.y *= radius;
+    return p;
+}
+
+/// On the hemisphere above z = 0, with density cosine / π.
+FUNCTION vec3 cosine_hemisphere(vec2 u) {
+    const vec2 p = uniform_on_disk(u);
+    return make3(p.x, p.y, sqrt(maximum(1.0f - u.x, 0.0f)));
+}
+
+/// Cosine of the angle to an axis, of directions around it with density (n + 1) / 2π cosine^n.
+FUNCTION float power_cosine(float u, float exponent) { return power(1.0f - u, 1.0f / (exponent + 1.0f)); }

@@ -1,0 +1,58 @@
+/// Metal in scene files.
+#include "kernels/bsdfs/conductor.h"
+
+#include <complex>
+#include <numbers>
+
+#include "scene/bsdfs/facets.h"
+#include "scene/bsdfs/make.h"
+#include "scene/bsdfs/metals.h"
+#include "scene/parameters.h"
+#include "scene/textures/textured.h"
+
+namespace brandung {
+namespace {
+
+void read_index(const Parameters &parameters, Conductor &conductor) {
+    if (parameters.has("eta") || parameters.has("k")) {
+        conductor.eta = parameters.spectrum("eta"), conductor.k = parameters.spectrum("k");
+        return;
+    }
+    std::vector<std::string> names;
+    for (const Metal &metal : metals()) names.emplace_back(metal.name);
+    const Metal &metal = metals()[parameters.choice("metal", names)];
+    conductor.eta = metal.eta, conductor.k = metal.k;
+}
+
+double fresnel(double cosine, std::complex<double> index) {
+    const std::complex<double> beyond = std::sqrt(index * index - (1 - cosine) * (1 + cosine));
+    const std::complex<double> s = (cosine - beyond) / (cosine + beyond);
+    const std::complex<double> p = (index * index * cosine - beyond) / (index * index * cosine + beyond);
+    return (std::norm(s) + std::norm(p)) / 2;
+}
+
+/// What is reflected more than once is reflected diffusely, and loses by the mean reflectance each time.
+float multiple(double lost, double eta, double k) {
+    const double part = mean_of([&](double cosine) { return fresnel(cosine, {eta, k}); });
+    return lost > 0 ? static_cast<float>(part * part * (1 - lost) / ((1 - part * lost) * lost * std::numbers::pi)) : 0;
+}
+
+}  // namespace
+
+Material read_conductor(const Parameters &parameters, Scene &scene) {
+    Conductor conductor{};
+    read_index(parameters, conductor);
+    const TexturedSpectrum specular = read_textured_fraction(parameters, "specular", Spectrum(1), scene);
+    const Facets facets = read_facets(parameters, 0);
+    conductor.specular = specular.value;
+    conductor.alpha = facets.alpha, conductor.distribution = facets.distribution;
+    conductor.albedo = curve_of(facets, [](double) { return 1.0; });
+    const double lost = facets.alpha > 0 ? 1 - mean_of([&](double cosine) { return value_of(conductor.albedo, facets, cosine); }) : 0;
+    for (int c = 0; c < 3; ++c) conductor.multiple[c] = multiple(lost, conductor.eta[c], conductor.k[c]);
+    Material material = material_of_kind("conductor", facets.alpha > 0 ? MATERIAL_LIT : 0, conductor);
+    material.specular_texture = specular.texture;
+    material.emission = parameters.spectrum("emission", Spectrum(0));
+    return material;
+}
+
+}  // namespace brandung

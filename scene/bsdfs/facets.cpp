@@ -1,0 +1,95 @@
+#include "scene/bsdfs/facets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scene/parameters.h"
+
+namespace brandung {
+namespace {
+
+using std::numbers::pi;
+
+constexpr uint beckmann = 1;
+constexpr float least_roughness = 0.01f;
+constexpr int nodes = 32, steps = 64;
+
+/// As in kernels/bsdfs/microfacet.cl.
+double visible_area(const Facets &facets, double cosine) {
+    const double spread = facets.alpha * std::sqrt((1 - cosine) * (1 + cosine));
+    if (facets.distribution != beckmann) return (cosine + std::hypot(cosine, spread)) / 2;
+    if (spread == 0) return cosine;
+    const double a = cosine / spread;
+    return cosine * (1 + std::erf(a)) / 2 + spread * std::exp(-a * a) / (2 * std::sqrt(pi));
+}
+
+/// Of the facets' normals, the squared slope beyond which this part lies.
+double squared_slope(const Facets &facets, double beyond) {
+    const double unit = facets.distribution == beckmann ? -std::log(beyond) : (1 - beyond) / beyond;
+    return unit * facets.alpha * facets.alpha;
+}
+
+double position_of(const Facets &facets, double cosine) { return 2 * cosine * (1 + 2 * facets.alpha) / (cosine + 2 * facets.alpha) - 1; }
+
+double cosine_at(const Facets &facets, double position) {
+    const double s = (position + 1) / (2 + 4 * facets.alpha);
+    return 2 * facets.alpha * s / (1 - s);
+}
+
+}  // namespace
+
+Facets read_facets(const Parameters &parameters, float roughness) {
+    roughness = parameters.not_negative("roughness", roughness);
+    if (roughness > 1) parameters.fail("roughness", "must be from 0 to 1");
+    return {roughness < least_roughness ? 0 : roughness * roughness, parameters.choice("distribution", {"ggx", "beckmann"}, 0)};
+}
+
+/// Of normals by the part of them that are steeper, and their azimuth: D and the measure cancel. The smooth step takes the roots at both ends away.
+double reflectance_of(const Facets &facets, const Reflectance &of_facet, double cosine) {
+    const double sine = std::sqrt((1 - cosine) * (1 + cosine)), area = visible_area(facets, cosine);
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double w = (i + 0.5) / steps, weight = 6 * w * (1 - w) / (steps * steps);
+        const double slope2 = squared_slope(facets, w * w * (3 - 2 * w)), z = 1 / std::sqrt(1 + slope2), radius = std::sqrt(slope2) * z;
+        for (int j = 0; j < steps; ++j) {
+            const double at_facet = radius * std::cos(pi * (j + 0.5) / steps) * sine + z * cosine, beyond = 2 * at_facet * z - cosine;
+            if (at_facet <= 0 || beyond <= 0) continue;
+            const double both = beyond / (area * beyond + (visible_area(facets, std::min(beyond, 1.0)) - beyond) * cosine);
+            sum += weight * at_facet / z * both * of_facet(at_facet);
+        }
+    }
+    return sum;
+}
+
+AlbedoCurve curve_of(const Facets &facets, const Reflectance &of_facet) {
+    AlbedoCurve curve{.terms = {1}};
+    if (facets.alpha == 0) return curve;
+    double terms[ALBEDO_TERMS] = {};
+    for (int j = 0; j < nodes; ++j) {
+        const double angle = pi * (j + 0.5) / nodes, cosine = cosine_at(facets, std::cos(angle));
+        const double part = reflectance_of(facets, of_facet, cosine) / of_facet(cosine);
+        for (int k = 0; k < ALBEDO_TERMS; ++k) terms[k] += (k == 0 ? 1 : 2) * part * std::cos(k * angle) / nodes;
+    }
+    std::copy(terms, terms + ALBEDO_TERMS, curve.terms);
+    return curve;
+}
+
+double value_of(const AlbedoCurve &curve, const Facets &facets, double cosine) {
+    const double angle = std::acos(std::clamp(position_of(facets, cosine), -1.0, 1.0));
+    double sum = 0;
+    for (int k = 0; k < ALBEDO_TERMS; ++k) sum += curve.terms[k] * std::cos(k * angle);
+    return std::clamp(sum, 0.0, 1.0);
+}
+
+double mean_of(const Reflectance &reflectance) {
+    constexpr int angles = 1024;
+    double sum = 0;
+    for (int i = 0; i < angles; ++i) {
+        const double cosine = (i + 0.5) / angles;
+        sum += 2 * cosine * reflectance(cosine) / angles;
+    }
+    return sum;
+}
+
+}  // namespace brandung

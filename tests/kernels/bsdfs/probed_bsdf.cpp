@@ -1,0 +1,55 @@
+#include "tests/kernels/bsdfs/probed_bsdf.h"
+
+#include <map>
+#include <memory>
+
+#include "scene/bsdfs/bsdf.h"
+#include "scene/kinds.h"
+#include "scene/parameters.h"
+#include "scene/scene.h"
+#include "tests/support/probe.h"
+
+namespace brandung {
+namespace {
+
+/// One of each kind and function: programs take their time to build.
+Probe &probe_of(const std::string &kind, const std::string &call, const std::string &result) {
+    static std::map<std::string, std::unique_ptr<Probe>> probes;
+    std::unique_ptr<Probe> &probe = probes[kind + call];
+    if (!probe)
+        probe = std::make_unique<Probe>("#include \"kernels/bsdfs/" + kind + R"(.cl"
+            kernel void probe(const global Material *m, const global float *eta, const global vec3 *wo, const global vec3 *x, global )" +
+                                        result + R"( *results) {
+                const uint i = get_global_id(0);
+                BsdfPoint point;
+                point.wo = load(wo + i), point.eta = *eta, point.diffuse_tint = point.specular_tint = make3(1.0f, 1.0f, 1.0f);
+                const vec3 number = load(x + i);
+                vec2 u;
+                u.x = number.x, u.y = number.y;
+                results[i] = )" + kind + call +
+                                        "; }");
+    return *probe;
+}
+
+std::vector<vec3> repeated(const std::vector<vec3> &wo, std::size_t count) { return wo.size() == count ? wo : std::vector<vec3>(count, wo.at(0)); }
+
+}  // namespace
+
+ProbedBsdf::ProbedBsdf(const TestedMaterial &tested) : eta_(tested.eta) {
+    const Document document = parse_document("material", tested.text);
+    const Parameters parameters(document, "");
+    Scene scene;
+    kind_ = parameters.text("type");
+    material_ = bsdf_kinds()[kind_number(bsdf_kinds(), kind_)].read(parameters, scene);
+    parameters.expect_all_known();
+}
+
+std::vector<BsdfValue> ProbedBsdf::eval(const std::vector<vec3> &wo, const std::vector<vec3> &wi) const {
+    return probe_of(kind_, "_eval(m, point, number)", "BsdfValue").run<BsdfValue>(material_, eta_, repeated(wo, wi.size()), wi);
+}
+
+std::vector<BsdfSample> ProbedBsdf::sample(const std::vector<vec3> &wo, const std::vector<vec3> &numbers) const {
+    return probe_of(kind_, "_sample(m, point, u, number.z)", "BsdfSample").run<BsdfSample>(material_, eta_, repeated(wo, numbers.size()), numbers);
+}
+
+}  // namespace brandung
