@@ -1,11 +1,16 @@
 #include "scene/compile.h"
 
+#include <fmt/format.h>
+
 #include <numeric>
 
 #include "scene/bsdfs/bsdf.h"
 #include "scene/compilation/parts.h"
 #include "scene/compilation/sizes.h"
+#include "scene/error.h"
 #include "scene/lights/light.h"
+#include "scene/materials_in_use.h"
+#include "scene/places.h"
 
 namespace brandung {
 namespace {
@@ -16,15 +21,21 @@ template <class KindsOfFamily> std::vector<uint> numbers_of(const KindsOfFamily 
     return numbers;
 }
 
-std::vector<uint> numbers_of_whitted_bsdfs() {
-    std::vector<uint> numbers = numbers_of(bsdf_kinds());
-    std::erase_if(numbers, [](uint kind) { return !bsdf_kinds()[kind].is_whitted; });
-    return numbers;
+/// Of all materials in use.
+void expect_whitted(const Scene &scene) {
+    const std::vector<bool> used = materials_in_use(scene);
+    for (uint m = 0; m < used.size(); ++m) {
+        const BsdfKind &kind = bsdf_kinds()[scene.materials[m].record.kind];
+        if (!used[m] || kind.is_whitted) continue;
+        const std::string place = place_of_material(scene, m);
+        throw SceneError(fmt::format("{}: integrator whitted cannot show a material of type \"{}\"; --integrator path can",
+                                     place.empty() ? scene.file : place, kind.name));
+    }
 }
 
 /// As if the scene used whatever changes no picture by being there.
 void use_everything(const Scene &scene, CompiledScene &compiled) {
-    compiled.bsdfs = numbers_of_whitted_bsdfs(), compiled.lights = numbers_of(light_kinds());
+    compiled.bsdfs = numbers_of(bsdf_kinds()), compiled.lights = numbers_of(light_kinds());
     compiled.reflects = compiled.transmits = compiled.emissive_instances = compiled.highlights = compiled.shading_normals = compiled.tints = true;
     compiled.filters_shadows = scene.integrator.filtered_shadows;
     compiled.interior_size = max_interior_size;
@@ -37,6 +48,7 @@ CompiledScene compile(const Scene &scene, const CompileOptions &options) {
     compiled.warnings = scene.warnings;
     compiled.warning_places = scene.warning_places;
     compiled.paths = scene.integrator.type == "path";
+    if (scene.integrator.type == "whitted") expect_whitted(scene);
     Arena arena(compiled.arena);
     add_primitives(scene, options, compiled, arena);
     add_materials(scene, compiled, arena);

@@ -1,6 +1,7 @@
-// BSDFs of all kinds in use: every kind is evaluated and one selected, since a switch would keep loops over items from vectorising.
+// What Whitted's integrator asks of the kinds in use that it can show: every kind is evaluated and one selected, since a switch would keep loops over
+// items from vectorising.
 #pragma once
-#include "generated/bsdfs.cl"
+#include "generated/whitted_bsdfs.cl"
 #include "kernels/bsdfs/bsdf.h"
 #include "generated/constants.h"
 #include "kernels/core/items.cl"
@@ -18,17 +19,7 @@ FUNCTION Spectrum bsdf_ambient(const global Material *m) {
     Spectrum result = make3(0.0f, 0.0f, 0.0f);
 #define CASE(KIND, View, name) \
     ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_ambient(m), result);
-    FOR_EACH_BSDF(CASE)
-#undef CASE
-    return result;
-}
-
-/// Weights of the mirrored and of the refracted ray together, whatever the angle.
-FUNCTION Spectrum bsdf_secondary(const global Material *m) {
-    Spectrum result = make3(0.0f, 0.0f, 0.0f);
-#define CASE(KIND, View, name) \
-    ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_secondary(m), result);
-    FOR_EACH_BSDF(CASE)
+    FOR_EACH_WHITTED_BSDF(CASE)
 #undef CASE
     return result;
 }
@@ -43,7 +34,7 @@ FUNCTION Phong bsdf_phong(const global Material *m) {
     Phong result = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, 1.0f};
 #define CASE(KIND, View, name) \
     ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_phong(m), result);
-    FOR_EACH_BSDF(CASE)
+    FOR_EACH_WHITTED_BSDF(CASE)
 #undef CASE
     return result;
 }
@@ -64,7 +55,7 @@ FUNCTION Split bsdf_split(const global Material *m, float cosine, float cosine_s
     Split result = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
 #define CASE(KIND, View, name) \
     ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_split(m, cosine, cosine_squared_beyond, eta, total), result);
-    FOR_EACH_BSDF(CASE)
+    FOR_EACH_WHITTED_BSDF(CASE)
 #undef CASE
     return result;
 }

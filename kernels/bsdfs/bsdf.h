@@ -18,6 +18,8 @@ typedef struct {
 // What path tracing asks of a kind `name`, in the frame of the hit: z is the shading normal on the side of `wo`, whose z is above 0.
 //   BsdfValue name_eval(const global Material *m, BsdfPoint point, vec3 wi)
 //   BsdfSample name_sample(const global Material *m, BsdfPoint point, vec2 u, float choice)
+// and for pictures of surfaces without light, about the part of light that is reflected or let through, whatever the angle:
+//   Spectrum name_albedo(const global Material *m, Tints tint)
 
 /// A hit as a BSDF sees it; never stored.
 typedef struct {

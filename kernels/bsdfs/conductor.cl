@@ -43,3 +43,8 @@ FUNCTION BsdfSample conductor_sample(const global Material *m, BsdfPoint point, 
     const Spectrum ideal = times(conductor_fresnel(point.wo.z, c.eta, c.k), times(c.specular, point.specular_tint));
     return sample_or_mirror(c.alpha == 0.0f, ideal, point.wo, sample_towards(wi, conductor_eval(m, point, wi)));
 }
+
+FUNCTION Spectrum conductor_albedo(const global Material *m, Tints tint) {
+    const Conductor c = conductor_view(m);
+    return times(conductor_fresnel(1.0f, c.eta, c.k), times(c.specular, tint.specular));
+}

@@ -16,3 +16,5 @@ FUNCTION BsdfSample diffuse_sample(const global Material *m, BsdfPoint point, ve
     const vec3 wi = cosine_hemisphere(u);
     return sample_towards(wi, diffuse_eval(m, point, wi));
 }
+
+FUNCTION Spectrum diffuse_albedo(const global Material *m, Tints tint) { return times(load_floats(m->words), tint.diffuse); }

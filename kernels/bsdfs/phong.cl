@@ -36,3 +36,7 @@ FUNCTION BsdfSample phong_sample(const global Material *m, BsdfPoint point, vec2
     const vec3 wi = where(choice < phong_specular_chance(p), lobe, cosine_hemisphere(u));
     return sample_towards(wi, phong_eval(m, point, wi));
 }
+
+FUNCTION Spectrum phong_albedo(const global Material *m, Tints tint) {
+    return plus(times(load_floats(m->words), tint.diffuse), times(load_floats(m->words + 3), tint.specular));
+}

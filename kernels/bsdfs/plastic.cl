@@ -66,3 +66,9 @@ FUNCTION BsdfSample plastic_sample(const global Material *m, BsdfPoint point, ve
     const Spectrum ideal = scaled(point.specular_tint, coat / chance);
     return sample_or_mirror(chosen & (p.alpha == 0.0f), ideal, point.wo, sample_towards(wi, plastic_eval(m, point, wi)));
 }
+
+FUNCTION Spectrum plastic_albedo(const global Material *m, Tints tint) {
+    const Plastic p = plastic_view(m);
+    const float coat = plastic_coat(p, 1.0f);
+    return plus(scaled(plastic_base(p, tint.diffuse), 1.0f - coat), scaled(tint.specular, coat));
+}

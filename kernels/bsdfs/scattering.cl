@@ -27,6 +27,16 @@ FUNCTION BsdfValue bsdf_eval(const global Material *m, BsdfPoint point, vec3 wi)
     return result;
 }
 
+/// About the part of light that is reflected or let through.
+FUNCTION Spectrum bsdf_albedo(const global Material *m, Tints tint) {
+    Spectrum result = make3(0.0f, 0.0f, 0.0f);
+#define CASE(KIND, View, name) \
+    ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_albedo(m, tint), result);
+    FOR_EACH_BSDF(CASE)
+#undef CASE
+    return result;
+}
+
 /// `u` chooses the direction within a lobe, `choice` the lobe, all in [0, 1).
 FUNCTION BsdfSample bsdf_sample(const global Material *m, BsdfPoint point, vec2 u, float choice) {
     BsdfSample result = {{0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}, 0.0f};

@@ -19,10 +19,11 @@ FUNCTION Whitted whitted_view(const global Material *m) {
 /// Reflectance of ambient light.
 FUNCTION Spectrum whitted_ambient(const global Material *m) { return whitted_view(m).ambient; }
 
-/// Fresnel's law divides them, and neither is lost.
-FUNCTION Spectrum whitted_secondary(const global Material *m) {
+/// The highlight is the lights' image and no part of it. Fresnel's law divides the secondary rays, and neither is lost.
+FUNCTION Spectrum whitted_albedo(const global Material *m, Tints tint) {
     const Whitted w = whitted_view(m);
-    return where(w.fresnel != 0u, maximum(w.reflection, w.transmission), plus(w.reflection, w.transmission));
+    const Spectrum secondary = where(w.fresnel != 0u, maximum(w.reflection, w.transmission), plus(w.reflection, w.transmission));
+    return plus(times(w.diffuse, tint.diffuse), secondary);
 }
 
 FUNCTION Phong whitted_phong(const global Material *m) {

@@ -81,7 +81,8 @@ uint branching(const CompiledScene &scene) {
 Sources specialize(const CompiledScene &scene, RayLanes lanes) {
     Sources sources;
     add_primitives(scene, sources);
-    sources["generated/bsdfs.cl"] = family(whitted_bsdfs(scene), bsdf_kinds(), "bsdfs", "FOR_EACH_BSDF");
+    sources["generated/bsdfs.cl"] = family(scene.bsdfs, bsdf_kinds(), "bsdfs", "FOR_EACH_BSDF");
+    sources["generated/whitted_bsdfs.cl"] = family(whitted_bsdfs(scene), bsdf_kinds(), "bsdfs", "FOR_EACH_WHITTED_BSDF");
     sources["generated/lights.cl"] = family(scene.lights, light_kinds(), "lights", "FOR_EACH_LIGHT");
     add_accelerator(scene, lanes, sources);
     sources["generated/instances.cl"] = include(scene.instances ? "primitives/instance.cl" : "primitives/no_instance.cl");

@@ -22,7 +22,7 @@ void warn_of_opaque_shadows(const Scene &scene, CompiledScene &compiled) {
 void add_lights(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     const LightRows lights = make_light_rows(scene);
     compiled.filters_shadows = scene.integrator.filtered_shadows && compiled.transmits;
-    if (scene.integrator.shadows_unsaid && compiled.transmits && !lights.rows.empty()) warn_of_opaque_shadows(scene, compiled);
+    if (!compiled.paths && scene.integrator.shadows_unsaid && compiled.transmits && !lights.rows.empty()) warn_of_opaque_shadows(scene, compiled);
     compiled.lights = kinds_of(lights.rows);
     compiled.light_counts = lights.counts;
     compiled.dark_emitters = lights.dark;
