@@ -17,9 +17,11 @@
 #include "kernels/accelerators/work.h"
 #include "kernels/bsdfs/bsdf.h"
 #include "kernels/bsdfs/conductor.h"
+#include "kernels/bsdfs/dielectric.h"
 #include "kernels/bsdfs/diffuse.h"
 #include "kernels/bsdfs/phong.h"
 #include "kernels/bsdfs/plastic.h"
+#include "kernels/bsdfs/thin_dielectric.h"
 #include "kernels/bsdfs/whitted.h"
 #include "kernels/core/items.h"
 #include "kernels/core/params.h"
@@ -125,6 +127,8 @@ const Layouts &host_layouts() {
         RECORD(Conductor, eta, k, specular, multiple, alpha, distribution, albedo),
         RECORD(Plastic, diffuse, eta, internal, scale, alpha, distribution, nonlinear, albedo),
         RECORD(ModifiedPhong, diffuse, specular, exponent),
+        RECORD(Dielectric, reflection, transmission, alpha, distribution),
+        RECORD(ThinDielectric, reflection, transmission),
         RECORD(BsdfPoint, wo, eta, diffuse_tint, specular_tint),
         RECORD(BsdfValue, value, pdf),
         RECORD(BsdfSample, wi, weight, pdf),

@@ -109,7 +109,8 @@ TEST_P(Bsdf, IsTheSameWithTheDirectionsExchanged) {
             ASSERT_NEAR(double(there[i].value[c]) / directions[i].z, double(back[i].value[c]) / wo.z, 1e-4 * there[i].value[c] / directions[i].z);
 }
 
-/// The mean weight of samples, by numbers spread evenly (an additive recurrence by powers of the root of x⁴ = x + 1; Roberts 2018).
+/// The mean weight of samples, without the factor of radiance beyond an interface, by numbers spread evenly (an additive recurrence by powers of the
+/// root of x⁴ = x + 1; Roberts 2018).
 TEST_P(Bsdf, ReflectsNoMoreThanArrives) {
     constexpr double root = 1.2207440846057596;
     std::vector<vec3> numbers(4 * samples);
@@ -117,7 +118,10 @@ TEST_P(Bsdf, ReflectsNoMoreThanArrives) {
         for (int c = 0; c < 3; ++c) numbers[i][c] = std::min(float(std::fmod(0.5 + double(i + 1) / std::pow(root, c + 1), 1)), below_one);
     for (const double angle : {0.0, 30.0, 60.0, 75.0, 85.0}) {
         glm::dvec3 albedo(0);
-        for (const BsdfSample &sample : bsdf.sample({at_angle(angle)}, numbers)) albedo += glm::dvec3(sample.weight) / double(numbers.size());
+        for (const BsdfSample &sample : bsdf.sample({at_angle(angle)}, numbers)) {
+            const double eta = sample.wi.z < 0 ? GetParam().eta : 1;
+            albedo += glm::dvec3(sample.weight) / (eta * eta * double(numbers.size()));
+        }
         std::cout << GetParam().name << " " << angle << ": albedo " << albedo.x << " " << albedo.y << " " << albedo.z << "\n";
         const double white = GetParam().white;
         for (int c = 0; c < 3; ++c) {
