@@ -72,7 +72,6 @@ TEST_P(Bsdf, SamplesAreDistributedAsTheirDensitySays) {
         const std::vector<std::uint64_t> counts = counts_in(cells, bsdf.sample({wo}, random_numbers(samples)));
         if (counts.back() == samples) continue;  // an ideal surface
         const auto test = statistics::chi_square(counts, expected_in(cells, bsdf, wo));
-        std::cout << GetParam().name << " " << angle << ": chi-square " << test.statistic << " of " << test.degrees << "\n";
         p_values.push_back(test.p);
     }
     if (p_values.empty()) GTEST_SKIP() << "an ideal surface";
@@ -118,7 +117,6 @@ TEST_P(Bsdf, ReflectsNoMoreThanArrives) {
     for (const double angle : {0.0, 30.0, 60.0, 75.0, 85.0}) {
         glm::dvec3 albedo(0);
         for (const BsdfSample &sample : bsdf.sample({at_angle(angle)}, numbers)) albedo += glm::dvec3(sample.weight) / double(numbers.size());
-        std::cout << GetParam().name << " " << angle << ": albedo " << albedo.x << " " << albedo.y << " " << albedo.z << "\n";
         const double white = GetParam().white;
         for (int c = 0; c < 3; ++c) {
             EXPECT_LE(albedo[c], 1 + std::max(white, 1e-3)) << angle;

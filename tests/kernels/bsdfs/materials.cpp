@@ -24,7 +24,7 @@ const std::vector<TestedMaterial> &tested_materials() {
         {"plastic", R"({"type": "plastic", "diffuse": [0.1, 0.5, 0.8], "nonlinear": true})", 0},
         {"plastic_white", R"({"type": "plastic", "diffuse": 1})", 0, 1e-3},
         {"plastic_white_nonlinear", R"({"type": "plastic", "diffuse": 1, "nonlinear": true, "eta": 1.9})", 0, 1e-3},
-        {"plastic_01", R"({"type": "plastic", "diffuse": 1, "roughness": 0.1})", 0.01f, 1e-2},
+        {"plastic_01", R"({"type": "plastic", "diffuse": 1, "roughness": 0.1})", 0.04f, 1e-2},
         {"plastic_04", R"({"type": "plastic", "diffuse": 1, "roughness": 0.4, "nonlinear": true})", 0.16f, 1e-2},
         {"plastic_1", R"({"type": "plastic", "diffuse": 1, "roughness": 1})", 1, 1e-2},
         {"plastic_03_beckmann", R"({"type": "plastic", "diffuse": 1, "roughness": 0.3, "distribution": "beckmann"})", 0.09f, 1e-2},
