@@ -6,6 +6,7 @@
 #include "kernels/bsdfs/dielectric_loss.cl"
 #include "kernels/bsdfs/microfacet.cl"
 #include "kernels/bsdfs/sample.cl"
+#include "kernels/bsdfs/shadowed.cl"
 #include "kernels/core/load.cl"
 #include "kernels/core/refraction.cl"
 #include "kernels/core/scene.h"
@@ -47,18 +48,6 @@ FUNCTION Diffusion diffusion_of(Dielectric d, float eta, float cosine) {
     return r;
 }
 
-/// Light of several facets leaves at flat angles, as far as alpha is small: directions on either side have density cosine / (cosine² + alpha²), but
-/// for a factor.
-FUNCTION float diffuse_density(float alpha, float cosine) {
-    const float alpha2 = alpha * alpha;
-    return INVERSE_PI * cosine / (fma(cosine, cosine, alpha2) * logarithm(1.0f + 1.0f / alpha2));
-}
-FUNCTION vec3 diffuse_direction(float alpha, vec2 u) {
-    const float alpha2 = alpha * alpha, cosine2 = minimum(alpha2 * (power(1.0f + 1.0f / alpha2, u.x) - 1.0f), 1.0f), sine = sqrt(1.0f - cosine2);
-    const vec2 azimuth = turn(u.y);
-    return make3(sine * azimuth.x, sine * azimuth.y, sqrt(cosine2));
-}
-
 /// Of both kinds of lobes, for radiance without the material's factors and eta²; pdf too is that of `sample`.
 typedef struct {
     float value, pdf;
@@ -92,7 +81,7 @@ FUNCTION Lobes all_lobes(Dielectric d, Diffusion diffusion, float eta, vec3 wo, 
         mirrors ? loss(diffusion.rows, cosine) * diffusion.inverse_mean : loss(diffusion.rows_beyond, cosine) * diffusion.inverse_mean_beyond;
     Lobes r = facet_lobes(d, eta, wo, wi);
     r.value = fma(part * cosine, loss_of_wi, r.value);
-    r.pdf = fma(part, diffuse_density(d.alpha, cosine), (1.0f - diffusion.loss) * r.pdf);
+    r.pdf = fma(part, shadowed_density(d.alpha, cosine), (1.0f - diffusion.loss) * r.pdf);
     return r;
 }
 
@@ -131,7 +120,7 @@ FUNCTION vec3 dielectric_direction(Dielectric d, float eta, vec3 wo, vec2 u, flo
     const Diffusion diffusion = diffusion_of(d, eta, wo.z);
     const float rest = minimum((choice - diffusion.loss) / (1.0f - diffusion.loss), 0.99999994f);
     const FacetSample facet = facet_sample(d, eta, wo, u, rest);
-    const vec3 up = diffuse_direction(d.alpha, u), diffuse = where(choice < diffusion.loss * diffusion.mirrored, up, negate(up));
+    const vec3 up = shadowed_direction(d.alpha, u), diffuse = where(choice < diffusion.loss * diffusion.mirrored, up, negate(up));
     const bool leaves = facet.mirrors ? facet.wi.z > 0.0f : facet.wi.z < 0.0f;
     return where(choice < diffusion.loss, diffuse, where(leaves, facet.wi, make3(1.0f, 0.0f, 0.0f)));
 }

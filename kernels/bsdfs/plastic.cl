@@ -1,7 +1,7 @@
 // A diffuse base under a clear coat. What the boundary does not reflect enters; of what the base reflects, the part `internal` comes back to it,
 // again and again. The diffuse lobe has the factor 1 - reflectance of both directions, so that a white base loses nothing.
 #pragma once
-#include "kernels/bsdfs/albedo_curve.cl"
+#include "kernels/bsdfs/angle_curve.cl"
 #include "kernels/bsdfs/bsdf.h"
 #include "kernels/bsdfs/microfacet.cl"
 #include "kernels/bsdfs/plastic.h"
@@ -15,7 +15,7 @@ FUNCTION Plastic plastic_view(const global Material *m) {
     p.diffuse = load_floats(m->words);
     p.eta = as_float(m->words[3]), p.internal = as_float(m->words[4]), p.scale = as_float(m->words[5]), p.alpha = as_float(m->words[6]);
     p.distribution = m->words[7], p.nonlinear = m->words[8];
-    p.albedo = albedo_curve(m->words + 9);
+    p.coat = angle_curve(m->words + 9);
     return p;
 }
 
@@ -28,7 +28,9 @@ FUNCTION Microfacets plastic_facets(Plastic p) {
 FUNCTION float plastic_fresnel(Plastic p, float cosine) { return fresnel(cosine, refracted_cosine_squared(cosine, p.eta), p.eta); }
 
 /// Part of light at this angle that the boundary reflects at once.
-FUNCTION float plastic_coat(Plastic p, float cosine) { return plastic_fresnel(p, cosine) * albedo_at(p.albedo, p.alpha, cosine); }
+FUNCTION float plastic_coat(Plastic p, float cosine) {
+    return minimum(maximum(plastic_fresnel(p, cosine) * value_at(p.coat, p.alpha, cosine), 0.0f), 1.0f);
+}
 
 /// Reflectance of the base, seen through an ideal boundary that lets everything through at last.
 FUNCTION float plastic_base(Plastic p, float reflectance) {

