@@ -10,12 +10,12 @@
 #include "kernels/core/load.cl"
 #include "kernels/core/scene.h"
 
+/// But for the curve, which stays in memory.
 FUNCTION Conductor conductor_view(const global Material *m) {
     Conductor c;
     c.eta = load_floats(m->words), c.k = load_floats(m->words + 3), c.specular = load_floats(m->words + 6);
     c.multiple = load_floats(m->words + 9);
     c.alpha = as_float(m->words[12]), c.distribution = m->words[13];
-    c.lost = angle_curve(m->words + 14);
     return c;
 }
 
@@ -26,8 +26,8 @@ FUNCTION Microfacets conductor_facets(Conductor c) {
 }
 
 /// Part of light at this angle that facets do not reflect at once. The curve is that of its root, so that it is not negative.
-FUNCTION float conductor_lost(Conductor c, float z) {
-    const float root = value_at(c.lost, c.alpha, z);
+FUNCTION float conductor_lost(const global Material *m, Conductor c, float z) {
+    const float root = value_at(m->words + CONDUCTOR_LOST_WORD, c.alpha, z);
     return minimum(root * root, 1.0f);
 }
 
@@ -35,10 +35,10 @@ FUNCTION float conductor_lost(Conductor c, float z) {
 FUNCTION BsdfValue conductor_eval(const global Material *m, BsdfPoint point, vec3 wi) {
     const Conductor c = conductor_view(m);
     const Microfacets facets = conductor_facets(c);
-    const float again = conductor_lost(c, point.wo.z);
+    const float again = conductor_lost(m, c, point.wo.z);
     const FacetReflection facet = reflected_by_facets(facets, point.wo, wi);
     const Spectrum single = scaled(conductor_fresnel(facet.cosine, c.eta, c.k), facet.value);
-    const Spectrum value = plus(single, scaled(c.multiple, again * conductor_lost(c, wi.z) * wi.z));
+    const Spectrum value = plus(single, scaled(c.multiple, again * conductor_lost(m, c, wi.z) * wi.z));
     const float pdf = (1.0f - again) * facet.pdf + again * shadowed_density(c.alpha, wi.z);
     return above_surface((wi.z > 0.0f) & (c.alpha > 0.0f), times(value, times(c.specular, point.specular_tint)), pdf);
 }
@@ -46,7 +46,7 @@ FUNCTION BsdfValue conductor_eval(const global Material *m, BsdfPoint point, vec
 FUNCTION BsdfSample conductor_sample(const global Material *m, BsdfPoint point, vec2 u, float choice) {
     const Conductor c = conductor_view(m);
     const vec3 facet = visible_normal(conductor_facets(c), point.wo, u);
-    const int again = choice < conductor_lost(c, point.wo.z);
+    const int again = choice < conductor_lost(m, c, point.wo.z);
     const vec3 wi = where(again, shadowed_direction(c.alpha, u), mirrored(point.wo, facet));
     const Spectrum ideal = times(conductor_fresnel(point.wo.z, c.eta, c.k), times(c.specular, point.specular_tint));
     return sample_or_mirror(c.alpha == 0.0f, ideal, point.wo, sample_towards(wi, conductor_eval(m, point, wi)));

@@ -3,6 +3,8 @@
 #include "kernels/bsdfs/angle_curve.h"
 #include "kernels/core/portable.h"
 
+#define CONDUCTOR_LOST_WORD 14  ///< where `lost` begins
+
 /// View of Material.words.
 typedef struct {
     Spectrum eta, k;    ///< index of refraction eta + i k, over that of what surrounds it

@@ -10,12 +10,12 @@
 #include "kernels/core/refraction.cl"
 #include "kernels/core/scene.h"
 
+/// But for the curve, which stays in memory.
 FUNCTION Plastic plastic_view(const global Material *m) {
     Plastic p;
     p.diffuse = load_floats(m->words);
     p.eta = as_float(m->words[3]), p.internal = as_float(m->words[4]), p.scale = as_float(m->words[5]), p.alpha = as_float(m->words[6]);
     p.distribution = m->words[7], p.nonlinear = m->words[8];
-    p.coat = angle_curve(m->words + 9);
     return p;
 }
 
@@ -28,8 +28,8 @@ FUNCTION Microfacets plastic_facets(Plastic p) {
 FUNCTION float plastic_fresnel(Plastic p, float cosine) { return fresnel(cosine, refracted_cosine_squared(cosine, p.eta), p.eta); }
 
 /// Part of light at this angle that the boundary reflects at once.
-FUNCTION float plastic_coat(Plastic p, float cosine) {
-    return minimum(maximum(plastic_fresnel(p, cosine) * value_at(p.coat, p.alpha, cosine), 0.0f), 1.0f);
+FUNCTION float plastic_coat(const global Material *m, Plastic p, float cosine) {
+    return minimum(maximum(plastic_fresnel(p, cosine) * value_at(m->words + PLASTIC_COAT_WORD, p.alpha, cosine), 0.0f), 1.0f);
 }
 
 /// Reflectance of the base, seen through an ideal boundary that lets everything through at last.
@@ -51,8 +51,8 @@ FUNCTION float plastic_coat_chance(float coat, Spectrum base) {
 FUNCTION BsdfValue plastic_eval(const global Material *m, BsdfPoint point, vec3 wi) {
     const Plastic p = plastic_view(m);
     const Spectrum base = plastic_base(p, point.diffuse_tint);
-    const float coat = plastic_coat(p, point.wo.z), chance = plastic_coat_chance(coat, base);
-    const float diffuse = (1.0f - coat) * (1.0f - plastic_coat(p, wi.z)) * p.scale * wi.z;
+    const float coat = plastic_coat(m, p, point.wo.z), chance = plastic_coat_chance(coat, base);
+    const float diffuse = (1.0f - coat) * (1.0f - plastic_coat(m, p, wi.z)) * p.scale * wi.z;
     const FacetReflection facet = reflected_by_facets(plastic_facets(p), point.wo, wi);
     const int rough = p.alpha > 0.0f;
     const float gloss = where(rough, plastic_fresnel(p, facet.cosine) * facet.value, 0.0f);
@@ -62,7 +62,7 @@ FUNCTION BsdfValue plastic_eval(const global Material *m, BsdfPoint point, vec3 
 
 FUNCTION BsdfSample plastic_sample(const global Material *m, BsdfPoint point, vec2 u, float choice) {
     const Plastic p = plastic_view(m);
-    const float coat = plastic_coat(p, point.wo.z), chance = plastic_coat_chance(coat, plastic_base(p, point.diffuse_tint));
+    const float coat = plastic_coat(m, p, point.wo.z), chance = plastic_coat_chance(coat, plastic_base(p, point.diffuse_tint));
     const int chosen = choice < chance;
     const vec3 wi = where(chosen, mirrored(point.wo, visible_normal(plastic_facets(p), point.wo, u)), cosine_hemisphere(u));
     const Spectrum ideal = scaled(point.specular_tint, coat / chance);

@@ -3,6 +3,8 @@
 #include "kernels/bsdfs/angle_curve.h"
 #include "kernels/core/portable.h"
 
+#define PLASTIC_COAT_WORD 9  ///< where `coat` begins
+
 /// View of Material.words.
 typedef struct {
     Spectrum diffuse;   ///< reflectance of the base

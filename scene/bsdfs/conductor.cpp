@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <numbers>
 
 #include "scene/bsdfs/facets.h"
@@ -14,6 +15,8 @@
 
 namespace brandung {
 namespace {
+
+static_assert(offsetof(Conductor, lost) == CONDUCTOR_LOST_WORD * sizeof(uint));
 
 void read_index(const Parameters &parameters, Conductor &conductor) {
     if (parameters.has("eta") || parameters.has("k")) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "scene/bsdfs/facets.h"
@@ -13,6 +14,8 @@
 
 namespace brandung {
 namespace {
+
+static_assert(offsetof(Plastic, coat) == PLASTIC_COAT_WORD * sizeof(uint));
 
 double fresnel(double cosine, double eta) {
     const double beyond = std::sqrt(eta * eta - (1 - cosine) * (1 + cosine));

@@ -3,7 +3,6 @@
 
 #include "scene/bsdfs/make.h"
 #include "scene/parameters.h"
-#include "scene/vectors.h"
 
 namespace brandung {
 
@@ -12,7 +11,7 @@ Material read_thin_dielectric(const Parameters &parameters, Scene &) {
     ThinDielectric sheet{};
     sheet.reflection = parameters.fraction("reflection", Spectrum(1));
     sheet.transmission = parameters.fraction("transmission", Spectrum(1));
-    Material material = material_of_kind("thin_dielectric", largest(sheet.reflection) > 0 ? MATERIAL_REFLECTS : 0, sheet);
+    Material material = material_of_kind("thin_dielectric", 0, sheet);
     material.eta = parameters.positive("eta", 1.5f);
     material.emission = parameters.spectrum("emission", Spectrum(0));
     return material;
