@@ -1,7 +1,7 @@
 // A diffuse base under a clear coat. What the boundary does not reflect enters; of what the base reflects, the part `internal` comes back to it,
 // again and again. The diffuse lobe has the factor 1 - reflectance of both directions, so that a white base loses nothing.
 #pragma once
-#include "kernels/bsdfs/albedo_curve.cl"
+#include "kernels/bsdfs/angle_curve.cl"
 #include "kernels/bsdfs/bsdf.h"
 #include "kernels/bsdfs/microfacet.cl"
 #include "kernels/bsdfs/plastic.h"
@@ -10,12 +10,12 @@
 #include "kernels/core/refraction.cl"
 #include "kernels/core/scene.h"
 
+/// But for the curve, which stays in memory.
 FUNCTION Plastic plastic_view(const global Material *m) {
     Plastic p;
     p.diffuse = load_floats(m->words);
     p.eta = as_float(m->words[3]), p.internal = as_float(m->words[4]), p.scale = as_float(m->words[5]), p.alpha = as_float(m->words[6]);
     p.distribution = m->words[7], p.nonlinear = m->words[8];
-    p.albedo = albedo_curve(m->words + 9);
     return p;
 }
 
@@ -28,7 +28,9 @@ FUNCTION Microfacets plastic_facets(Plastic p) {
 FUNCTION float plastic_fresnel(Plastic p, float cosine) { return fresnel(cosine, refracted_cosine_squared(cosine, p.eta), p.eta); }
 
 /// Part of light at this angle that the boundary reflects at once.
-FUNCTION float plastic_coat(Plastic p, float cosine) { return plastic_fresnel(p, cosine) * albedo_at(p.albedo, p.alpha, cosine); }
+FUNCTION float plastic_coat(const global Material *m, Plastic p, float cosine) {
+    return minimum(maximum(plastic_fresnel(p, cosine) * value_at(m->words + PLASTIC_COAT_WORD, p.alpha, cosine), 0.0f), 1.0f);
+}
 
 /// Reflectance of the base, seen through an ideal boundary that lets everything through at last.
 FUNCTION float plastic_base(Plastic p, float reflectance) {
@@ -49,8 +51,8 @@ FUNCTION float plastic_coat_chance(float coat, Spectrum base) {
 FUNCTION BsdfValue plastic_eval(const global Material *m, BsdfPoint point, vec3 wi) {
     const Plastic p = plastic_view(m);
     const Spectrum base = plastic_base(p, point.diffuse_tint);
-    const float coat = plastic_coat(p, point.wo.z), chance = plastic_coat_chance(coat, base);
-    const float diffuse = (1.0f - coat) * (1.0f - plastic_coat(p, wi.z)) * p.scale * wi.z;
+    const float coat = plastic_coat(m, p, point.wo.z), chance = plastic_coat_chance(coat, base);
+    const float diffuse = (1.0f - coat) * (1.0f - plastic_coat(m, p, wi.z)) * p.scale * wi.z;
     const FacetReflection facet = reflected_by_facets(plastic_facets(p), point.wo, wi);
     const int rough = p.alpha > 0.0f;
     const float gloss = where(rough, plastic_fresnel(p, facet.cosine) * facet.value, 0.0f);
@@ -60,7 +62,7 @@ FUNCTION BsdfValue plastic_eval(const global Material *m, BsdfPoint point, vec3 
 
 FUNCTION BsdfSample plastic_sample(const global Material *m, BsdfPoint point, vec2 u, float choice) {
     const Plastic p = plastic_view(m);
-    const float coat = plastic_coat(p, point.wo.z), chance = plastic_coat_chance(coat, plastic_base(p, point.diffuse_tint));
+    const float coat = plastic_coat(m, p, point.wo.z), chance = plastic_coat_chance(coat, plastic_base(p, point.diffuse_tint));
     const int chosen = choice < chance;
     const vec3 wi = where(chosen, mirrored(point.wo, visible_normal(plastic_facets(p), point.wo, u)), cosine_hemisphere(u));
     const Spectrum ideal = scaled(point.specular_tint, coat / chance);

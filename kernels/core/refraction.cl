@@ -13,3 +13,9 @@ FUNCTION float fresnel(float cosine, float cosine_squared_beyond, float eta) {
     const float p = (cosine - eta * beyond) / maximum(cosine + eta * beyond, 0x1p-126f);
     return cosine_squared_beyond < 0.0f ? 1.0f : 0.5f * (s * s + p * p);
 }
+
+/// Direction beyond an interface of unit normal `normal`, on the side of the unit vector w, of light that goes along w on this side; `cosine` is that
+/// of w and the normal.
+FUNCTION vec3 refracted(vec3 w, vec3 normal, float cosine, float cosine_squared_beyond, float eta) {
+    return minus(scaled(normal, eta * cosine - sqrt(maximum(cosine_squared_beyond, 0.0f))), scaled(w, eta));
+}

@@ -1,7 +1,10 @@
 /// Metal in scene files.
 #include "kernels/bsdfs/conductor.h"
 
+#include <algorithm>
+#include <cmath>
 #include <complex>
+#include <cstddef>
 #include <numbers>
 
 #include "scene/bsdfs/facets.h"
@@ -12,6 +15,8 @@
 
 namespace brandung {
 namespace {
+
+static_assert(offsetof(Conductor, lost) == CONDUCTOR_LOST_WORD * sizeof(uint));
 
 void read_index(const Parameters &parameters, Conductor &conductor) {
     if (parameters.has("eta") || parameters.has("k")) {
@@ -34,7 +39,18 @@ double fresnel(double cosine, std::complex<double> index) {
 /// What is reflected more than once is reflected diffusely, and loses by the mean reflectance each time.
 float multiple(double lost, double eta, double k) {
     const double part = mean_of([&](double cosine) { return fresnel(cosine, {eta, k}); });
-    return lost > 0 ? static_cast<float>(part * part * (1 - lost) / ((1 - part * lost) * lost * std::numbers::pi)) : 0;
+    return static_cast<float>(part * part * (1 - lost) / ((1 - part * lost) * lost * std::numbers::pi));
+}
+
+void add_multiple_reflection(Conductor &conductor, const Facets &facets) {
+    const auto everything = [](double) { return 1.0; };
+    const auto root_of_lost = [&](double cosine) { return std::sqrt(std::max(1 - reflectance_of(facets, everything, cosine), 0.0)); };
+    conductor.lost = curve_of(facets, root_of_lost);
+    const double lost = mean_of([&](double cosine) {
+        const double root = value_of(conductor.lost, facets, cosine);
+        return std::min(root * root, 1.0);
+    });
+    for (int c = 0; c < 3; ++c) conductor.multiple[c] = multiple(lost, conductor.eta[c], conductor.k[c]);
 }
 
 }  // namespace
@@ -46,9 +62,7 @@ Material read_conductor(const Parameters &parameters, Scene &scene) {
     const Facets facets = read_facets(parameters, 0);
     conductor.specular = specular.value;
     conductor.alpha = facets.alpha, conductor.distribution = facets.distribution;
-    conductor.albedo = curve_of(facets, [](double) { return 1.0; });
-    const double lost = facets.alpha > 0 ? 1 - mean_of([&](double cosine) { return value_of(conductor.albedo, facets, cosine); }) : 0;
-    for (int c = 0; c < 3; ++c) conductor.multiple[c] = multiple(lost, conductor.eta[c], conductor.k[c]);
+    if (facets.alpha > 0) add_multiple_reflection(conductor, facets);
     Material material = material_of_kind("conductor", facets.alpha > 0 ? MATERIAL_LIT : 0, conductor);
     material.specular_texture = specular.texture;
     material.emission = parameters.spectrum("emission", Spectrum(0));

@@ -30,11 +30,15 @@ double squared_slope(const Facets &facets, double beyond) {
     return unit * facets.alpha * facets.alpha;
 }
 
-double position_of(const Facets &facets, double cosine) { return 2 * cosine * (1 + 2 * facets.alpha) / (cosine + 2 * facets.alpha) - 1; }
-
+/// Of kernels/bsdfs/angle_curve.h.
+double scale_of(const Facets &facets) { return facets.alpha / (1 + 3.0 * facets.alpha); }
+double position_of(const Facets &facets, double cosine) {
+    const double s = scale_of(facets);
+    return 2 * cosine * (1 + s) / (cosine + s) - 1;
+}
 double cosine_at(const Facets &facets, double position) {
-    const double s = (position + 1) / (2 + 4 * facets.alpha);
-    return 2 * facets.alpha * s / (1 - s);
+    const double s = scale_of(facets), part = (position + 1) / 2 / (1 + s);
+    return std::min(s * part / (1 - part), 1.0);
 }
 
 }  // namespace
@@ -62,24 +66,22 @@ double reflectance_of(const Facets &facets, const Reflectance &of_facet, double 
     return sum;
 }
 
-AlbedoCurve curve_of(const Facets &facets, const Reflectance &of_facet) {
-    AlbedoCurve curve{.terms = {1}};
-    if (facets.alpha == 0) return curve;
-    double terms[ALBEDO_TERMS] = {};
+AngleCurve curve_of(const Facets &facets, const std::function<double(double cosine)> &function) {
+    double terms[CURVE_TERMS] = {};
     for (int j = 0; j < nodes; ++j) {
-        const double angle = pi * (j + 0.5) / nodes, cosine = cosine_at(facets, std::cos(angle));
-        const double part = reflectance_of(facets, of_facet, cosine) / of_facet(cosine);
-        for (int k = 0; k < ALBEDO_TERMS; ++k) terms[k] += (k == 0 ? 1 : 2) * part * std::cos(k * angle) / nodes;
+        const double angle = pi * (j + 0.5) / nodes, value = function(cosine_at(facets, std::cos(angle)));
+        for (int k = 0; k < CURVE_TERMS; ++k) terms[k] += (k == 0 ? 1 : 2) * value * std::cos(k * angle) / nodes;
     }
-    std::copy(terms, terms + ALBEDO_TERMS, curve.terms);
+    AngleCurve curve;
+    std::copy(terms, terms + CURVE_TERMS, curve.terms);
     return curve;
 }
 
-double value_of(const AlbedoCurve &curve, const Facets &facets, double cosine) {
+double value_of(const AngleCurve &curve, const Facets &facets, double cosine) {
     const double angle = std::acos(std::clamp(position_of(facets, cosine), -1.0, 1.0));
     double sum = 0;
-    for (int k = 0; k < ALBEDO_TERMS; ++k) sum += curve.terms[k] * std::cos(k * angle);
-    return std::clamp(sum, 0.0, 1.0);
+    for (int k = 0; k < CURVE_TERMS; ++k) sum += curve.terms[k] * std::cos(k * angle);
+    return sum;
 }
 
 double mean_of(const Reflectance &reflectance) {

@@ -2,7 +2,7 @@
 #pragma once
 #include <functional>
 
-#include "kernels/bsdfs/albedo_curve.h"
+#include "kernels/bsdfs/angle_curve.h"
 #include "kernels/core/portable.h"
 
 namespace brandung {
@@ -25,10 +25,10 @@ using Reflectance = std::function<double(double cosine)>;
 /// Of facets with this reflectance, single scattering: reflected over arriving light. Quadrature, within 2e-4.
 double reflectance_of(const Facets &facets, const Reflectance &of_facet, double cosine);
 
-/// The same as a curve over `of_facet` of that angle.
-AlbedoCurve curve_of(const Facets &facets, const Reflectance &of_facet);
+/// Any function of the cosine.
+AngleCurve curve_of(const Facets &facets, const std::function<double(double cosine)> &function);
 /// What the curve gives, as the kernels have it.
-double value_of(const AlbedoCurve &curve, const Facets &facets, double cosine);
+double value_of(const AngleCurve &curve, const Facets &facets, double cosine);
 
 /// Of diffuse light.
 double mean_of(const Reflectance &reflectance);

@@ -5,6 +5,9 @@
 
 namespace brandung {
 
+/// Of a medium, in scene files.
+inline constexpr uint max_priority = 1u << 24;
+
 /// Of the kind called `name`, with flags MATERIAL_*; an index of refraction of 1, and nothing else.
 template <class View> Material material_of_kind(const char *name, uint flags, const View &view) {
     Material material{};

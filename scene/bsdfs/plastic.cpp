@@ -1,7 +1,9 @@
 /// A coated diffuse surface in scene files.
 #include "kernels/bsdfs/plastic.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "scene/bsdfs/facets.h"
@@ -12,6 +14,8 @@
 
 namespace brandung {
 namespace {
+
+static_assert(offsetof(Plastic, coat) == PLASTIC_COAT_WORD * sizeof(uint));
 
 double fresnel(double cosine, double eta) {
     const double beyond = std::sqrt(eta * eta - (1 - cosine) * (1 + cosine));
@@ -24,8 +28,9 @@ void add_boundary(Plastic &plastic, const Facets &facets, double eta) {
     const Reflectance of_facet = [&](double cosine) { return fresnel(cosine, eta); };
     plastic.eta = static_cast<float>(1 / eta);
     plastic.alpha = facets.alpha, plastic.distribution = facets.distribution;
-    plastic.albedo = curve_of(facets, of_facet);
-    const double passes = 1 - mean_of([&](double cosine) { return of_facet(cosine) * value_of(plastic.albedo, facets, cosine); });
+    const auto over_smooth = [&](double cosine) { return facets.alpha > 0 ? reflectance_of(facets, of_facet, cosine) / of_facet(cosine) : 1; };
+    plastic.coat = curve_of(facets, over_smooth);
+    const double passes = 1 - mean_of([&](double cosine) { return std::clamp(of_facet(cosine) * value_of(plastic.coat, facets, cosine), 0.0, 1.0); });
     plastic.scale = static_cast<float>(1 / (passes * std::numbers::pi));
     // By reciprocity, of diffuse light from either side the same part of the radiance over eta² passes.
     plastic.internal = static_cast<float>(1 - passes / (eta * eta));

@@ -6,11 +6,6 @@
 #include "scene/vectors.h"
 
 namespace brandung {
-namespace {
-
-constexpr uint max_priority = 1u << 24;
-
-}  // namespace
 
 Material make_material(const Whitted &whitted) {
     const uint flags = (largest(whitted.reflection) > 0 ? MATERIAL_REFLECTS : 0) | (largest(whitted.transmission) > 0 ? MATERIAL_TRANSMITS : 0) |

@@ -17,9 +17,11 @@
 #include "kernels/accelerators/work.h"
 #include "kernels/bsdfs/bsdf.h"
 #include "kernels/bsdfs/conductor.h"
+#include "kernels/bsdfs/dielectric.h"
 #include "kernels/bsdfs/diffuse.h"
 #include "kernels/bsdfs/phong.h"
 #include "kernels/bsdfs/plastic.h"
+#include "kernels/bsdfs/thin_dielectric.h"
 #include "kernels/bsdfs/whitted.h"
 #include "kernels/core/items.h"
 #include "kernels/core/params.h"
@@ -123,10 +125,12 @@ const Layouts &host_layouts() {
         RECORD(BvhNode, low, high, child, spare),
         RECORD(Whitted, ambient, diffuse, specular, reflection, transmission, exponent, fresnel),
         RECORD(Diffuse, reflectance),
-        RECORD(AlbedoCurve, terms),
-        RECORD(Conductor, eta, k, specular, multiple, alpha, distribution, albedo),
-        RECORD(Plastic, diffuse, eta, internal, scale, alpha, distribution, nonlinear, albedo),
+        RECORD(AngleCurve, terms),
+        RECORD(Conductor, eta, k, specular, multiple, alpha, distribution, lost),
+        RECORD(Plastic, diffuse, eta, internal, scale, alpha, distribution, nonlinear, coat),
         RECORD(ModifiedPhong, diffuse, specular, exponent),
+        RECORD(Dielectric, reflection, transmission, alpha, distribution),
+        RECORD(ThinDielectric, reflection, transmission),
         RECORD(BsdfPoint, wo, eta, diffuse_tint, specular_tint),
         RECORD(BsdfValue, value, pdf),
         RECORD(BsdfSample, wi, weight, pdf),

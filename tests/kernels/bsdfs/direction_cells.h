@@ -9,7 +9,7 @@
 
 namespace brandung {
 
-/// The unit square onto directions: alike in solid angle, or, for facets of some roughness, by the normal h that mirrors wo into the direction:
+/// The unit square onto directions: by the angle from z, or, for facets of some roughness, by the normal h that mirrors wo into the direction:
 /// as GGX of that roughness has them, and by azimuth.
 class DirectionCells {
 public:
@@ -22,7 +22,7 @@ public:
         double solid_angle;  ///< per unit of area of the square
     };
     Point at(double u, double v) const {
-        if (width_ == 0) return {around_z(2 * u - 1, v), 4 * M_PI};
+        if (width_ == 0) return {around_z(std::cos(M_PI * u), v), 2 * M_PI * M_PI * std::sin(M_PI * u)};
         const double slope2 = width_ * width_ * (1 / (u * u) - 1), z = 1 / std::sqrt(1 + slope2);
         const glm::dvec3 h = around_z(z, v);
         const double cosine = glm::dot(wo_, h);
@@ -32,7 +32,7 @@ public:
     /// Of the cell that a direction lies in, if in any.
     std::optional<std::size_t> cell_of(glm::dvec3 direction) const {
         glm::dvec3 w = direction;
-        double u = (w.z + 1) / 2;
+        double u = std::acos(std::clamp(w.z, -1.0, 1.0)) / M_PI;
         if (width_ > 0) {
             w = glm::normalize(direction + wo_);
             if (w.z <= 0) return {};

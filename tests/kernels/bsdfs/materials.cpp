@@ -2,7 +2,8 @@
 
 namespace brandung {
 
-/// What facets reflect onto each other is met within a hundredth, ideal surfaces within a thousandth.
+/// What facets reflect onto each other is met within a hundredth, ideal surfaces within a thousandth; what Beckmann's facets do beyond the critical
+/// angle is between the places of a table.
 const std::vector<TestedMaterial> &tested_materials() {
     static const std::vector<TestedMaterial> all = {
         {"diffuse", R"({"type": "diffuse", "reflectance": [0.2, 0.5, 0.9]})", 0},
@@ -24,11 +25,24 @@ const std::vector<TestedMaterial> &tested_materials() {
         {"plastic", R"({"type": "plastic", "diffuse": [0.1, 0.5, 0.8], "nonlinear": true})", 0},
         {"plastic_white", R"({"type": "plastic", "diffuse": 1})", 0, 1e-3},
         {"plastic_white_nonlinear", R"({"type": "plastic", "diffuse": 1, "nonlinear": true, "eta": 1.9})", 0, 1e-3},
-        {"plastic_01", R"({"type": "plastic", "diffuse": 1, "roughness": 0.1})", 0.01f, 1e-2},
+        {"plastic_01", R"({"type": "plastic", "diffuse": 1, "roughness": 0.1})", 0.04f, 1e-2},
         {"plastic_04", R"({"type": "plastic", "diffuse": 1, "roughness": 0.4, "nonlinear": true})", 0.16f, 1e-2},
         {"plastic_1", R"({"type": "plastic", "diffuse": 1, "roughness": 1})", 1, 1e-2},
         {"plastic_03_beckmann", R"({"type": "plastic", "diffuse": 1, "roughness": 0.3, "distribution": "beckmann"})", 0.09f, 1e-2},
         {"plastic_black", R"({"type": "plastic", "diffuse": 0, "roughness": 0.5, "eta": 1.33})", 0.25f},
+        {"glass", R"({"type": "dielectric"})", 0, 1e-3, 1 / 1.5f},
+        {"glass_from_within", R"({"type": "dielectric"})", 0, 1e-3, 1.5f},
+        {"glass_coloured", R"({"type": "dielectric", "reflection": [0.2, 0.5, 1], "transmission": [1, 0.7, 0.3], "roughness": 0.4})", 0, 0, 1 / 1.5f},
+        {"glass_04", R"({"type": "dielectric", "roughness": 0.4})", 0, 1e-2, 1 / 1.5f},
+        {"glass_04_from_within", R"({"type": "dielectric", "roughness": 0.4})", 0, 1.5e-2, 1.5f},
+        {"glass_06", R"({"type": "dielectric", "roughness": 0.6})", 0, 1e-2, 1 / 1.5f},
+        {"glass_06_from_within", R"({"type": "dielectric", "roughness": 0.6})", 0, 1.5e-2, 1.5f},
+        {"glass_1", R"({"type": "dielectric", "roughness": 1})", 0, 1e-2, 1 / 1.5f},
+        {"glass_1_from_within", R"({"type": "dielectric", "roughness": 1})", 0, 1.5e-2, 1.5f},
+        {"glass_04_beckmann", R"({"type": "dielectric", "roughness": 0.4, "distribution": "beckmann"})", 0, 1e-2, 1 / 1.5f},
+        {"glass_04_beckmann_from_within", R"({"type": "dielectric", "roughness": 0.4, "distribution": "beckmann"})", 0, 1.5e-2, 1.5f},
+        {"glass_1_beckmann", R"({"type": "dielectric", "roughness": 1, "distribution": "beckmann"})", 0, 1e-2, 1 / 1.5f},
+        {"glass_1_beckmann_from_within", R"({"type": "dielectric", "roughness": 1, "distribution": "beckmann"})", 0, 1.5e-2, 1.5f},
     };
     return all;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -152,6 +153,30 @@ TEST(Math, PowerOfTheEndsIsThatOfC) {
     const std::vector<float> z = power(x, y);
     for (std::size_t i = 0; i < x.size(); ++i)
         EXPECT_LE(ulps(z[i], std::pow(static_cast<long double>(x[i]), static_cast<long double>(y[i]))), 0.96) << x[i] << " to the " << y[i];
+}
+
+TEST(Math, ErrorFunctionIsWithinItsError) {
+    Random random;
+    std::vector<float> x = {0, infinity};
+    for (std::size_t i = 0; i < pairs; ++i) x.push_back(random.uniform(0, 6));
+    Probe probe(R"(#include "kernels/core/math.cl"
+        kernel void probe(const global float *x, global float *y) {
+            const uint i = get_global_id(0);
+            y[i] = error_function(x[i], exponential(-x[i] * x[i]));
+        })");
+    const std::vector<float> y = probe.run<float>(x);
+    for (std::size_t i = 0; i < x.size(); ++i) ASSERT_NEAR(y[i], std::erf(double(x[i])), 4e-7) << x[i];
+}
+
+TEST(Math, InverseErrorFunctionIsWithinItsError) {
+    Random random;
+    std::vector<float> x = {std::nextafter(1.0f, 0.0f), -std::nextafter(1.0f, 0.0f), 0};
+    for (std::size_t i = 0; i < pairs; ++i) x.push_back(i % 2 == 0 ? random.uniform(-1, 1) : 1 - std::exp2(random.uniform(-24, 0)));
+    const std::vector<float> y = values_of("inverse_error_function", x);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double exact = boost::math::erf_inv(double(x[i]));
+        ASSERT_LE(std::abs(y[i] - exact), 3e-7 * std::abs(exact)) << x[i];
+    }
 }
 
 std::vector<float> arctangent(const std::vector<float> &y, const std::vector<float> &x) {

@@ -1,0 +1,136 @@
+// An interface between two media, smooth or rough (Walter et al., EGSR 2007). Light that more than one facet meets is left by a lobe of its own on
+// either side (after Kulla & Conty, SIGGRAPH course 2017), so that none is lost.
+#pragma once
+#include "kernels/bsdfs/bsdf.h"
+#include "kernels/bsdfs/dielectric.h"
+#include "kernels/bsdfs/dielectric_loss.cl"
+#include "kernels/bsdfs/microfacet.cl"
+#include "kernels/bsdfs/sample.cl"
+#include "kernels/bsdfs/shadowed.cl"
+#include "kernels/core/load.cl"
+#include "kernels/core/refraction.cl"
+#include "kernels/core/scene.h"
+
+FUNCTION Dielectric dielectric_view(const global Material *m) {
+    Dielectric d;
+    d.reflection = load_floats(m->words), d.transmission = load_floats(m->words + 3);
+    d.alpha = as_float(m->words[6]), d.distribution = m->words[7];
+    return d;
+}
+
+/// Whether it is a single direction that light is mirrored into, and one that it is refracted into. Between media of one index nothing bends it.
+FUNCTION bool is_smooth(Dielectric d, float eta) { return !(d.alpha > 0.0f) | (eta == 1.0f); }
+
+/// The part of light that a facet mirrors.
+FUNCTION float facet_reflectance(float cosine, float cosine_squared_beyond, float eta) {
+    return eta == 1.0f ? 0.0f : fresnel(cosine, cosine_squared_beyond, eta);
+}
+
+/// How the light that several facets meet is divided.
+typedef struct {
+    float loss;                               ///< part of the light along wo
+    float mirrored;                           ///< part of `loss` that comes back
+    float inverse_mean, inverse_mean_beyond;  ///< of the losses on either side, over π
+    LossRows rows, rows_beyond;
+} Diffusion;
+
+/// Shares of both sides are such that the lobe through the interface is reciprocal: proportional, on each side, to 1 over its index squared times its
+/// mean loss. Of the side where the product is less, as much passes as if the light met the interface once more, from everywhere (Fresnel's mean
+/// reflectance: fit by Kulla & Conty for the side of the lower index).
+FUNCTION Diffusion diffusion_of(Dielectric d, float eta, float cosine) {
+    const float ratio = eta > 1.0f ? eta : 1.0f / eta, passes = 1.0f - (ratio - 1.0f) / fma(1.00071f, ratio, 4.08567f);
+    Diffusion r;
+    r.rows = loss_rows(d.distribution, d.alpha, eta), r.rows_beyond = loss_rows(d.distribution, d.alpha, 1.0f / eta);
+    const float mean = mean_loss(r.rows), mean_beyond = mean_loss(r.rows_beyond), here = eta * eta * mean;
+    r.loss = is_smooth(d, eta) ? 0.0f : loss(r.rows, cosine);
+    r.mirrored = 1.0f - passes * minimum(here, mean_beyond) / here;
+    r.inverse_mean = INVERSE_PI / mean, r.inverse_mean_beyond = INVERSE_PI / mean_beyond;
+    return r;
+}
+
+/// Of both kinds of lobes, for radiance without the material's factors and eta²; pdf too is that of `sample`.
+typedef struct {
+    float value, pdf;
+} Lobes;
+
+/// Light that one facet sends from wi to wo.
+FUNCTION Lobes facet_lobes(Dielectric d, float eta, vec3 wo, vec3 wi) {
+    const Microfacets facets = {d.alpha, d.distribution};
+    const bool mirrors = wi.z > 0.0f;
+    const vec3 sum = plus(scaled(wo, mirrors ? 1.0f : eta), wi);
+    const float inverse_length = copysign(1.0f / sqrt(dot3(sum, sum)), sum.z);
+    const vec3 h = scaled(sum, inverse_length), above = make3(wi.x, wi.y, fabs(wi.z));
+    const float cosine = dot3(wo, h), cosine_beyond = -dot3(wi, h);
+    const float reflectance = facet_reflectance(cosine, refracted_cosine_squared(cosine, eta), eta);
+    vec2 areas;
+    areas.x = visible_area(facets, wo), areas.y = visible_area(facets, above);
+    // Solid angle of h per one of wi, times the cosine that turns the facets' density into that of the visible ones.
+    const float mirrored = 0.25f * reflectance, refracted = (1.0f - reflectance) * cosine * cosine_beyond * inverse_length * inverse_length;
+    const bool faces = (cosine > 0.0f) & (mirrors | (cosine_beyond > 0.0f));
+    Lobes r;
+    r.pdf = faces ? facet_density(facets, h) / areas.x * (mirrors ? mirrored : refracted) : 0.0f;
+    r.value = faces ? r.pdf * visible_from_both(areas, wo.z, above.z) : 0.0f;
+    return r;
+}
+
+/// The same with what several facets send.
+FUNCTION Lobes all_lobes(Dielectric d, Diffusion diffusion, float eta, vec3 wo, vec3 wi) {
+    const bool mirrors = wi.z > 0.0f;
+    const float cosine = fabs(wi.z), part = diffusion.loss * (mirrors ? diffusion.mirrored : 1.0f - diffusion.mirrored);
+    const float loss_of_wi =
+        mirrors ? loss(diffusion.rows, cosine) * diffusion.inverse_mean : loss(diffusion.rows_beyond, cosine) * diffusion.inverse_mean_beyond;
+    Lobes r = facet_lobes(d, eta, wo, wi);
+    r.value = fma(part * cosine, loss_of_wi, r.value);
+    r.pdf = fma(part, shadowed_density(d.alpha, cosine), (1.0f - diffusion.loss) * r.pdf);
+    return r;
+}
+
+FUNCTION Spectrum dielectric_factor(Dielectric d, float eta, bool mirrors) { return where(mirrors, d.reflection, scaled(d.transmission, eta * eta)); }
+
+FUNCTION BsdfValue dielectric_eval(const global Material *m, BsdfPoint point, vec3 wi) {
+    const Dielectric d = dielectric_view(m);
+    const Lobes lobes = all_lobes(d, diffusion_of(d, point.eta, point.wo.z), point.eta, point.wo, wi);
+    const bool nothing = is_smooth(d, point.eta) | (wi.z == 0.0f);
+    BsdfValue result;
+    result.value = scaled(dielectric_factor(d, point.eta, wi.z > 0.0f), nothing ? 0.0f : lobes.value);
+    result.pdf = nothing ? 0.0f : lobes.pdf;
+    return result;
+}
+
+/// Where a facet sends light from.
+typedef struct {
+    vec3 wi;
+    bool mirrors;
+} FacetSample;
+
+FUNCTION FacetSample facet_sample(Dielectric d, float eta, vec3 wo, vec2 u, float choice) {
+    const Microfacets facets = {d.alpha, d.distribution};
+    const vec3 h = where(is_smooth(d, eta), make3(0.0f, 0.0f, 1.0f), visible_normal(facets, wo, u));
+    const float cosine = dot3(wo, h), cosine2 = refracted_cosine_squared(cosine, eta);
+    const vec3 beyond = where(eta == 1.0f, negate(wo), refracted(wo, h, cosine, cosine2, eta));
+    FacetSample sample;
+    sample.mirrors = choice < facet_reflectance(cosine, cosine2, eta);
+    sample.wi = where(sample.mirrors, mirrored(wo, h), beyond);
+    return sample;
+}
+
+/// What a facet mirrors into the surface, or refracts out of it, goes nowhere, which a direction within the surface stands for: the diffuse lobes
+/// have that light.
+FUNCTION vec3 dielectric_direction(Dielectric d, float eta, vec3 wo, vec2 u, float choice) {
+    const Diffusion diffusion = diffusion_of(d, eta, wo.z);
+    const float rest = minimum((choice - diffusion.loss) / (1.0f - diffusion.loss), 0.99999994f);
+    const FacetSample facet = facet_sample(d, eta, wo, u, rest);
+    const vec3 up = shadowed_direction(d.alpha, u), diffuse = where(choice < diffusion.loss * diffusion.mirrored, up, negate(up));
+    const bool leaves = facet.mirrors ? facet.wi.z > 0.0f : facet.wi.z < 0.0f;
+    return where(choice < diffusion.loss, diffuse, where(leaves, facet.wi, make3(1.0f, 0.0f, 0.0f)));
+}
+
+FUNCTION BsdfSample dielectric_sample(const global Material *m, BsdfPoint point, vec2 u, float choice) {
+    const Dielectric d = dielectric_view(m);
+    const vec3 wi = dielectric_direction(d, point.eta, point.wo, u, choice);
+    const bool smooth = is_smooth(d, point.eta);
+    BsdfSample sample = sample_towards(wi, dielectric_eval(m, point, wi));
+    sample.weight = where(smooth, dielectric_factor(d, point.eta, wi.z > 0.0f), sample.weight);
+    sample.pdf = where(smooth, INFINITY, sample.pdf);
+    return sample;
+}

@@ -1,0 +1,26 @@
+/// Glass, water and the like in scene files.
+#include "kernels/bsdfs/dielectric.h"
+
+#include "scene/bsdfs/facets.h"
+#include "scene/bsdfs/make.h"
+#include "scene/parameters.h"
+#include "scene/vectors.h"
+
+namespace brandung {
+
+/// Has an inside, as far as light gets there.
+Material read_dielectric(const Parameters &parameters, Scene &) {
+    Dielectric dielectric{};
+    dielectric.reflection = parameters.fraction("reflection", Spectrum(1));
+    dielectric.transmission = parameters.fraction("transmission", Spectrum(1));
+    const Facets facets = read_facets(parameters, 0);
+    dielectric.alpha = facets.alpha, dielectric.distribution = facets.distribution;
+    const uint flags = (largest(dielectric.transmission) > 0 ? MATERIAL_TRANSMITS : 0) | (facets.alpha > 0 ? MATERIAL_LIT : 0);
+    Material material = material_of_kind("dielectric", flags, dielectric);
+    material.eta = parameters.positive("eta", 1.5f);
+    material.priority = parameters.integer("priority", 0, 0, max_priority);
+    material.emission = parameters.spectrum("emission", Spectrum(0));
+    return material;
+}
+
+}  // namespace brandung

@@ -1,0 +1,20 @@
+/// Thin sheets of glass in scene files.
+#include "kernels/bsdfs/thin_dielectric.h"
+
+#include "scene/bsdfs/make.h"
+#include "scene/parameters.h"
+
+namespace brandung {
+
+/// Has no inside: nothing goes into a medium.
+Material read_thin_dielectric(const Parameters &parameters, Scene &) {
+    ThinDielectric sheet{};
+    sheet.reflection = parameters.fraction("reflection", Spectrum(1));
+    sheet.transmission = parameters.fraction("transmission", Spectrum(1));
+    Material material = material_of_kind("thin_dielectric", 0, sheet);
+    material.eta = parameters.positive("eta", 1.5f);
+    material.emission = parameters.spectrum("emission", Spectrum(0));
+    return material;
+}
+
+}  // namespace brandung
