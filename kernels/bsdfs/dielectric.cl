@@ -134,3 +134,8 @@ FUNCTION BsdfSample dielectric_sample(const global Material *m, BsdfPoint point,
     sample.pdf = where(smooth, INFINITY, sample.pdf);
     return sample;
 }
+
+FUNCTION Spectrum dielectric_albedo(const global Material *m, Tints tint) {
+    const Dielectric view = dielectric_view(m);
+    return maximum(view.reflection, view.transmission);
+}

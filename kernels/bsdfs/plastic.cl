@@ -71,6 +71,6 @@ FUNCTION BsdfSample plastic_sample(const global Material *m, BsdfPoint point, ve
 
 FUNCTION Spectrum plastic_albedo(const global Material *m, Tints tint) {
     const Plastic p = plastic_view(m);
-    const float coat = plastic_coat(p, 1.0f);
+    const float coat = plastic_coat(m, p, 1.0f);
     return plus(scaled(plastic_base(p, tint.diffuse), 1.0f - coat), scaled(tint.specular, coat));
 }

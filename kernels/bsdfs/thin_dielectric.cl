@@ -35,3 +35,8 @@ FUNCTION BsdfSample thin_dielectric_sample(const global Material *m, BsdfPoint p
     sample.pdf = INFINITY;
     return sample;
 }
+
+FUNCTION Spectrum thin_dielectric_albedo(const global Material *m, Tints tint) {
+    const ThinDielectric view = thin_dielectric_view(m);
+    return maximum(view.reflection, view.transmission);
+}

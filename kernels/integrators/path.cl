@@ -87,14 +87,15 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
         const vec3 wi = unit(from_frame(sides.frame, next.wi));
         const bool stays = next.wi.z > 0.0f, goes_on = on_surface & on_its_side(sides, wi, next.wi.z);
         // Radiance in a medium of index n has a factor n², which must not count as brightness.
-        const float scale = stays ? 1.0f : 1.0f / (interface.eta * interface.eta);
+        const bool enters = !stays && TRANSMITS && (material->flags & MATERIAL_TRANSMITS) != 0u;
+        const float scale = enters ? 1.0f / (interface.eta * interface.eta) : 1.0f;
         const float survival = path.depth >= params.roulette_depth ? minimum(largest(next.weight) * scale, 1.0f) : 1.0f;
         const bool survives = sampler_pair(which.pixel, which.sample, uses + USE_ROULETTE, batch).x < survival;
         Path child = path;
         child.depth = path.depth + 1u;
         child.throughput = scaled(times(path.throughput, next.weight), 1.0f / maximum(survival, 0x1p-126f));
         child.branch = hash(path.branch * 2u);
-        interior_choose(stays, interiors, k, beyond, i, child_interiors, base + i);
+        interior_choose(!enters, interiors, k, beyond, i, child_interiors, base + i);
         store_instance(child_sources, base + i, instance_at(instances, i));
         first_rays[i] = ray_spawn(where(stays, sides.near, sides.far), wi, stays ? RAY_REFLECTED : RAY_REFRACTED, primitive);
         first_paths[i] = child;
