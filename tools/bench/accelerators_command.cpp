@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "scene/accelerators/accelerator.h"
+#include "scene/error.h"
 #include "tools/bench/accelerators_report.h"
 #include "tools/interruption.h"
 #include "tools/numbers.h"
@@ -74,7 +75,10 @@ int run(const Options &options) {
 
 std::vector<std::string> chosen_accelerators(const std::vector<std::string> &only) {
     std::vector<std::string> names;
-    for (const std::string &name : only) names.emplace_back(find_accelerator(name).name);
+    for (const std::string &name : only) {
+        if (name == "auto") throw SceneError("--only: auto is a choice among accelerators, and none itself");
+        names.emplace_back(find_accelerator(name).name);
+    }
     if (only.empty())
         for (const AcceleratorKind &kind : accelerator_kinds()) names.emplace_back(kind.name);
     return names;
