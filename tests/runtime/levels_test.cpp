@@ -28,7 +28,10 @@ void PrintTo(const Case &c, std::ostream *out) {
 class Play {
 public:
     explicit Play(const Case &c)
-        : case_(c), capacity_(std::max(c.batch, c.branching)), levels_(test_device(), c.batch, c.branching, c.generations, {.interior_size = 2, .instances = true}), random_(1) {
+        : case_(c),
+          capacity_(std::max(c.batch, c.branching)),
+          levels_(test_device(), c.batch, c.branching, c.generations, {.interior_size = 2, .instances = true}),
+          random_(1) {
         lists_.resize(c.generations), slots_.resize(c.generations, std::vector<std::uint64_t>(capacity_, 0));
     }
 

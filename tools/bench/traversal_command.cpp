@@ -135,8 +135,9 @@ void add_bench_traversal(CLI::App &bench, int &status) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(CLI::Validator([](std::string &text) { return fault_of_procedural(text); }, "terrain:N"));
-    command->add_option("--accelerator", options->accelerator,
-                        fmt::format("{} (default: the scene's, or {})", fmt::join(chosen_accelerators({}), ", "), Scene().accelerator))
+    command
+        ->add_option("--accelerator", options->accelerator,
+                     fmt::format("{} (default: the scene's, or {})", fmt::join(chosen_accelerators({}), ", "), Scene().accelerator))
         ->check(CLI::IsMember(chosen_accelerators({})));
     command->add_option("--accelerator-quality", options->accelerator_quality, "fast or high (default: the scene's, or fast)")
         ->check(CLI::IsMember(std::vector<std::string>(build_quality_names.begin(), build_quality_names.end())));
