@@ -49,13 +49,15 @@ Facets read_facets(const Parameters &parameters, float roughness) {
     return {roughness < least_roughness ? 0 : roughness * roughness, parameters.choice("distribution", {"ggx", "beckmann"}, 0)};
 }
 
-/// Of normals by the part of them that are steeper, and their azimuth: D and the measure cancel. The smooth step takes the roots at both ends away.
+/// Of normals by the part of them that are steeper, and their azimuth: D and the measure cancel. A step with two smooth derivatives takes the roots
+/// at both ends away.
 double reflectance_of(const Facets &facets, const Reflectance &of_facet, double cosine) {
     const double sine = std::sqrt((1 - cosine) * (1 + cosine)), area = visible_area(facets, cosine);
     double sum = 0;
     for (int i = 0; i < steps; ++i) {
-        const double w = (i + 0.5) / steps, weight = 6 * w * (1 - w) / (steps * steps);
-        const double slope2 = squared_slope(facets, w * w * (3 - 2 * w)), z = 1 / std::sqrt(1 + slope2), radius = std::sqrt(slope2) * z;
+        const double w = (i + 0.5) / steps, weight = 30 * w * w * (1 - w) * (1 - w) / (steps * steps);
+        const double slope2 = squared_slope(facets, w * w * w * (10 + w * (6 * w - 15))), z = 1 / std::sqrt(1 + slope2),
+                     radius = std::sqrt(slope2) * z;
         for (int j = 0; j < steps; ++j) {
             const double at_facet = radius * std::cos(pi * (j + 0.5) / steps) * sine + z * cosine, beyond = 2 * at_facet * z - cosine;
             if (at_facet <= 0 || beyond <= 0) continue;

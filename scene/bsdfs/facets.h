@@ -22,7 +22,7 @@ Facets read_facets(const Parameters &parameters, float roughness);
 /// Of light at an angle of this cosine.
 using Reflectance = std::function<double(double cosine)>;
 
-/// Of facets with this reflectance, single scattering: reflected over arriving light. Quadrature, within 2e-4.
+/// Of facets with this reflectance, single scattering: reflected over arriving light. Quadrature, within 1e-3.
 double reflectance_of(const Facets &facets, const Reflectance &of_facet, double cosine);
 
 /// Any function of the cosine.

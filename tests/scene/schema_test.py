@@ -31,7 +31,7 @@ BROKEN = {
     "/camera/type": ["fisheye"],
     "/camera/inside": ["water", [1]],
     "/materials/0/name": [MISSING, "", 7],
-    "/materials/0/type": [MISSING, "plastic"],
+    "/materials/0/type": [MISSING, "velvet"],
     "/materials/0/diffuse": [-0.1, [1, 1], None, {}, {"texture": 3}, {"texture": "a.png", "wrap": "mirror"}, {"texture": "a.png", "encoding": "gamma"}, {"image": "a.png"}],
     "/materials/0/specular": [{"texture": "a.png", "scale": -1}],
     "/materials/0/ambient": [{"texture": "a.png"}],
