@@ -93,7 +93,7 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
         const bool survives = sampler_pair(which.pixel, which.sample, uses + USE_ROULETTE, batch).x < survival;
         Path child = path;
         child.depth = path.depth + 1u;
-        child.throughput = scaled(times(path.throughput, next.weight), 1.0f / maximum(survival, 0x1p-126f));
+        child.throughput = scaled(times(path.throughput, next.weight), survival > 0.0f ? 1.0f / survival : 0.0f);
         child.branch = hash(path.branch * 2u);
         interior_choose(!enters, interiors, k, beyond, i, child_interiors, base + i);
         store_instance(child_sources, base + i, instance_at(instances, i));

@@ -284,7 +284,7 @@ TEST(Lint, ItsListsNameEveryKindAndFileThatSpecialisationCanMake) {
     add_soup(scene, 0, {.of_each = 1});
     add_group(scene, "group", std::exchange(scene.shapes, std::move(world)));
     ASSERT_FALSE(add_instance(scene, 0, AffineMap(), add_material(scene, emitter(Spectrum(1)))));
-    const CompiledScene compiled = compile(scene);
+    const CompiledScene compiled = compile(scene, {.kinds = Kinds::all});
     const Sources lists = specialize(compiled, RayLanes::eight);
     for (const auto &[path, text] : specialize(compiled, RayLanes::one)) {
         if (text == lists.at(path)) continue;

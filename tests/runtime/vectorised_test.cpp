@@ -12,6 +12,7 @@
 #include <sstream>
 #include <string>
 
+#include "scene/bsdfs/bsdf.h"
 #include "scene/compile.h"
 #include "scene/formats/format.h"
 #include "scene/lights/light.h"
@@ -37,14 +38,14 @@ std::string read_text(const fs::path &path) {
 }
 
 /// All kinds of primitives and lights; the material decides which kernels are built. `more`: further objects.
-std::string scene_of(const std::string &material, const std::string &filter = "box", const std::string &more = "",
-                     const std::string &follow = "both") {
+std::string scene_of(const std::string &material, const std::string &filter = "box", const std::string &more = "", const std::string &follow = "both",
+                     const std::string &integrator = "whitted", const std::string &materials = "") {
     return R"({"film": {"width": 32, "height": 32, "spp": 4, "aovs": ["all"], "filter": ")" + filter +
            R"("}, "camera": {"from": [0, 1, 6], "at": [0, 0, 0], "fov": 40}, "ambient": 0.1,
-        "integrator": {"shadows": "filtered", "follow": ")" +
-           follow + R"("},
+        "integrator": {"type": ")" +
+           integrator + R"(", "shadows": "filtered", "follow": ")" + follow + R"("},
         "materials": [{"name": "m", "type": "whitted", "diffuse": 0.5, "specular": 0.4, "exponent": 20)" +
-           material + R"(}, {"name": "lamp", "type": "whitted", "emission": 1}],
+           material + R"(}, {"name": "lamp", "type": "whitted", "emission": 1})" + materials + R"(],
         "lights": [{"type": "point", "position": [3, 5, 4], "intensity": 100}, {"type": "directional", "direction": [0, -1, -1], "irradiance": 1},
             {"type": "spot", "position": [-3, 5, 4], "at": [0, 0, 0], "intensity": 100, "angle": 40}],
         "objects": [{"type": "sphere", "material": "m", "center": [0, 0, 0], "radius": 1},
@@ -93,11 +94,12 @@ Remarks parse(const std::string &text) {
     return remarks;
 }
 
-/// Every use of FOR_EACH_ITEM under kernels/ that scenes need, which is the promise of a vectorised loop, by "file:line".
-std::set<std::string> marked_loops() {
+/// Every use of FOR_EACH_ITEM under kernels/ that scenes of an integrator may need, which is the promise of a vectorised loop, by "file:line".
+std::set<std::string> marked_loops(const std::string &integrator = "whitted") {
     std::set<std::string> loops;
     for (const auto &file : fs::recursive_directory_iterator(BRANDUNG_SOURCE_DIR "/kernels")) {
         const fs::path folder = file.path().parent_path().filename();
+        if (folder == "integrators" && file.path().stem() != integrator) continue;
         if (file.path().extension() != ".cl" || folder == "selftest" || folder == "bench") continue;  // renders have none of these
         std::istringstream lines(read_text(file.path()));
         std::string line;
@@ -108,8 +110,8 @@ std::set<std::string> marked_loops() {
     return loops;
 }
 
-void expect_no_failure(const Remarks &remarks) {
-    for (const std::string &loop : marked_loops())
+void expect_no_failure(const Remarks &remarks, const std::string &integrator = "whitted") {
+    for (const std::string &loop : marked_loops(integrator))
         if (const auto failed = remarks.failed.find(loop); failed != remarks.failed.end()) ADD_FAILURE() << loop << ": " << failed->second;
 }
 
@@ -130,6 +132,21 @@ TEST(Vectorised, EveryMarkedLoopIs16WideWhereOneOfTwoRaysIsFollowed) {
     const Remarks remarks = parse(remarks_of(scene_of(R"(, "reflection": 0.3, "transmission": 0.5, "eta": 1.5)", "box", "", "one")));
     expect_no_failure(remarks);
     for (const std::string &loop : marked_loops()) EXPECT_TRUE(remarks.vectorised.contains(loop)) << loop;
+}
+
+/// Materials of all kinds, on which rays of each must not depend: every one is evaluated, and one selected.
+TEST(Vectorised, PathsAre16WideWithEveryKindOfMaterial) {
+    std::string materials, objects;
+    for (const brandung::BsdfKind &kind : brandung::bsdf_kinds()) {
+        const std::string type = kind.name, metal = type == "conductor" ? R"(, "metal": "gold", "roughness": 0.3)" : "";
+        materials += R"(, {"name": "of )" + type + R"(", "type": ")" + type + R"(")" + metal + "}";
+        objects += R"(, {"type": "sphere", "material": "of )" + type + R"(", "center": [0, 2, 0], "radius": 0.1})";
+    }
+    const std::string scene = scene_of(R"(, "reflection": 0.3, "transmission": 0.5, "eta": 1.5)", "box", objects, "both", "path", materials);
+    const Remarks remarks = parse(remarks_of(scene));
+    expect_no_failure(remarks, "path");
+    for (const std::string &loop : marked_loops("path"))
+        EXPECT_TRUE(remarks.vectorised.contains(loop) || loop.find("/integrators/") == std::string::npos) << loop;
 }
 
 TEST(Vectorised, TheSceneHasEveryKindOfPrimitiveAndLight) {

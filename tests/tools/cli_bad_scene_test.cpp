@@ -89,8 +89,8 @@ std::vector<SceneText> bad_scenes() {
         with_more("UnknownSection", R"("magic": 1,)", {"magic"}),
         with_more("UnknownIntegrator",
                   "\n"
-                  R"("integrator": {"type": "path"},)",
-                  {"scene.json:7: /integrator/type: there is no \"path\", only whitted"}),
+                  R"("integrator": {"type": "radiosity"},)",
+                  {"scene.json:7: /integrator/type: there is no \"radiosity\", only whitted, path"}),
         with_more("TwoKindsOfCameras", R"("cameras": [],)", {"has both"}),
         {"NoCamera", "scene.json", R"({"objects": []})", {"camera"}},
         {"ViewWithoutDirection", "scene.json", R"({"camera": {"from": [1,2,3], "at": [1,2,3]}})", {"at", "from"}},

@@ -8,14 +8,17 @@
 
 namespace brandung {
 
-inline std::vector<vec2> positions(const std::string &sampler, const std::vector<uint> &pixels, const std::vector<uint> &samples, uint seed) {
+/// With `use` above 0 the pairs of that use instead.
+inline std::vector<vec2> positions(const std::string &sampler, const std::vector<uint> &pixels, const std::vector<uint> &samples, uint seed,
+                                   uint use = 0) {
     const BatchParams batch{.pixels = 0, .first_sample = 0, .samples = 0, .spp = 2, .seed = seed, .position = PIXEL_CENTER};
     return Probe("#include \"kernels/samplers/" + sampler + R"(.cl"
-        kernel void probe(const global uint *pixels, const global uint *samples, const global BatchParams *batch, global vec2 *positions) {
+        kernel void probe(const global uint *pixels, const global uint *samples, const global BatchParams *batch, const global uint *use,
+                          global vec2 *positions) {
             const uint i = get_global_id(0);
-            positions[i] = sampler_pixel_position(pixels[i], samples[i], *batch);
+            positions[i] = *use == 0u ? sampler_pixel_position(pixels[i], samples[i], *batch) : sampler_pair(pixels[i], samples[i], *use, *batch);
         })")
-        .run<vec2>(pixels, samples, batch);
+        .run<vec2>(pixels, samples, batch, use);
 }
 
 /// The pixels of a square picture.

@@ -58,6 +58,19 @@ TEST_P(SamplerOf, PixelsHalvesSeedsAndAxesAreIndependent) {
     EXPECT_NEAR(correlation(x(a), x(other_half)), 0, bound);
     EXPECT_NEAR(correlation(y(a), y(other_half)), 0, bound);
     EXPECT_NEAR(correlation(x(a), x(later)), 0, bound);
+    // Uses, of the first samples of all pixels and of all samples of one.
+    const std::vector<vec2> one = positions(GetParam(), pixels, first, 0, 1), two = positions(GetParam(), pixels, first, 0, 2);
+    EXPECT_NEAR(correlation(x(a), x(one)), 0, bound);
+    EXPECT_NEAR(correlation(x(one), x(two)), 0, bound);
+    EXPECT_NEAR(correlation(y(one), x(two)), 0, bound);
+    EXPECT_NEAR(correlation(x(one), y(one)), 0, bound);
+    std::vector<uint> samples(n);
+    for (uint i = 0; i < n; ++i) samples[i] = i;
+    const std::vector<vec2> place = positions(GetParam(), first, samples, 0), three = positions(GetParam(), first, samples, 0, 3),
+                            four = positions(GetParam(), first, samples, 0, 4);
+    EXPECT_NEAR(correlation(x(place), x(three)), 0, bound);
+    EXPECT_NEAR(correlation(x(three), x(four)), 0, bound);
+    EXPECT_NEAR(correlation(y(three), y(four)), 0, bound);
 }
 
 /// The mean of n independent x is 1/2 with variance 1 / (12 n), n being 8; its square within 5 sqrt(2 / m) of that for m pixels, relatively.

@@ -39,7 +39,7 @@ TEST(Sobol, ScramblingKeepsIntervalsOfDigitsTogether) {
         }
     const std::vector<float> x = Probe(R"(#include "kernels/samplers/sobol.cl"
         kernel void probe(const global uint *digits, const global uint *seeds, global float *x) {
-            x[get_global_id(0)] = owen_scrambled(digits[get_global_id(0)], seeds[get_global_id(0)]);
+            x[get_global_id(0)] = unit_interval(bits_reversed(owen_scrambled(digits[get_global_id(0)], seeds[get_global_id(0)])));
         })")
                                      .run<float>(digits, seeds);
     for (std::size_t i = 0; i < x.size(); i += 2) {
@@ -65,6 +65,21 @@ TEST(Sobol, EveryBoxHasOneOfTheFirstSamplesOfEachHalf) {
                     ASSERT_EQ(boxes.size(), n) << pixel << ", half " << half << ", " << a << " of " << k;
                 }
             }
+}
+
+/// The same of each use of a path, whose points come in another order.
+TEST(Sobol, EveryBoxHasOneOfTheFirstPairsOfEveryUse) {
+    constexpr uint k = 6, n = 1u << k;
+    std::vector<uint> samples(n);
+    for (uint i = 0; i < n; ++i) samples[i] = 2 * i;
+    for (const uint dimension : {1u, 2u, 3u, 77u}) {
+        const std::vector<vec2> points = positions("sobol", std::vector<uint>(n, 123u | 45u << 16), samples, 9, dimension);
+        for (uint a = 0; a <= k; ++a) {
+            std::set<uint> boxes;
+            for (const vec2 &p : points) boxes.insert(uint(std::ldexp(p.x, int(a))) | uint(std::ldexp(p.y, int(k - a))) << 16);
+            ASSERT_EQ(boxes.size(), n) << dimension << ", " << a << " of " << k;
+        }
+    }
 }
 
 /// One of n = 2^k samples in each of n columns has variance 1 / (12 n²) about the column's centre, the mean of n such 1 / (12 n³); its square over m
