@@ -26,7 +26,7 @@ public:
         : scene_(job.on_device),
           filter_(job.filter),
           params_{job.scene.integrator.max_depth, job.scene.integrator.roulette_depth},
-          dark_emitters_(job.compiled.dark_emitters),
+          sizeless_lights_(!job.scene.lights.empty()),
           generate_(job.device, "kernels/stages/generate_camera_rays.cl", "generate_camera_rays", scene_.lists()),
           spawn_(job.device, path_cl, "spawn_path", scene_.lists()),
           shade_(job.device, path_cl, "shade_path", scene_.lists()),
@@ -80,9 +80,8 @@ public:
         return {{"depth limit", fmt::format("integrator.max_depth {} ended {} paths", params_.max_depth, cut_)}};
     }
     std::vector<NotShown> not_shown() const override {
-        if (dark_emitters_ == 0) return {};
-        return {
-            {"light of emissive surfaces by chance alone", "integrator.light_samples is 0: only rays that happen to meet them bring their light"}};
+        if (!sizeless_lights_) return {};
+        return {{"light of points and directions over mirrors and through smooth glass", "paths cannot meet lights without size by chance"}};
     }
 
 private:
@@ -112,7 +111,7 @@ private:
     const DeviceScene &scene_;
     const Filter &filter_;
     PathParams params_;
-    uint dark_emitters_;
+    bool sizeless_lights_;
     std::uint64_t cut_ = 0;  ///< rays whose surfaces send no more
     Kernel generate_, spawn_, shade_, accumulate_;
     Surfaces surfaces_;
