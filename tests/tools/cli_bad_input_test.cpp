@@ -104,8 +104,9 @@ INSTANTIATE_TEST_SUITE_P(
         Setting{"ResolutionNegative", {"--size", "-5x5"}, {"-5"}}, Setting{"ResolutionOfWords", {"--size", "axb"}, {"width", "a"}},
         Setting{"ResolutionWithoutHeight", {"--size", "10x"}, {"height"}}, Setting{"ResolutionOfThree", {"--size", "2x3x4"}, {"height", "3x4"}},
         Setting{"ResolutionBeyondTheLimit", {"--size", "70000x70000"}, {"width", "70000"}},
-        Setting{
-            "UnknownIntegrator", {"--integrator", "magic"}, {": /integrator/type (set on the command line): there is no \"magic\", only whitted, path"}},
+        Setting{"UnknownIntegrator",
+                {"--integrator", "magic"},
+                {": /integrator/type (set on the command line): there is no \"magic\", only whitted, path"}},
         Setting{"IntegratorOfTwoLines", {"--integrator", "a\nb"}, {"there is no \"a?b\""}},
         Setting{"UnknownAccelerator", {"--accelerator", "magic"}, {"magic", "wide_bvh"}},
         Setting{"UnknownAcceleratorQuality", {"--accelerator-quality", "medium"}, {": /accelerator_quality", "fast, high", "medium"}},
