@@ -1,12 +1,14 @@
 // Whitted's surface (Whitted, CACM 23(6) 1980).
 #pragma once
 #include "kernels/bsdfs/bsdf.h"
+#include "kernels/bsdfs/sample.cl"
 #include "kernels/bsdfs/whitted.h"
 #include "kernels/core/frame.cl"
 #include "kernels/core/load.cl"
 #include "kernels/core/math.cl"
 #include "kernels/core/refraction.cl"
 #include "kernels/core/scene.h"
+#include "kernels/core/warp.cl"
 
 FUNCTION Whitted whitted_view(const global Material *m) {
     Whitted w;
@@ -68,13 +70,9 @@ FUNCTION WhittedLobes whitted_lobes(const global Material *m, BsdfPoint point) {
 
 FUNCTION BsdfValue whitted_eval_lobes(WhittedLobes lobes, vec3 wo, vec3 wi) {
     const float mirrored = minimum(maximum(wo.z * wi.z - wo.x * wi.x - wo.y * wi.y, 0.0f), 1.0f), highlight = power(mirrored, lobes.phong.exponent);
-    const bool above = wi.z > 0.0f;
-    BsdfValue result;
     const Spectrum value = plus(scaled(lobes.phong.diffuse, wi.z), scaled(lobes.phong.specular, highlight));
     const float pdf = lobes.diffuse * wi.z + lobes.specular * 0.5f * (lobes.phong.exponent + 1.0f) * highlight;
-    result.value = where(above, scaled(value, INVERSE_PI), make3(0.0f, 0.0f, 0.0f));
-    result.pdf = above ? pdf * INVERSE_PI : 0.0f;
-    return result;
+    return above_surface(wi.z > 0.0f, scaled(value, INVERSE_PI), pdf * INVERSE_PI);
 }
 
 /// kd/π cos θi + ks/π cos^n α: what phong_local gives as radiance of unit irradiance.
@@ -86,20 +84,16 @@ FUNCTION BsdfValue whitted_eval(const global Material *m, BsdfPoint point, vec3 
 FUNCTION BsdfSample whitted_sample(const global Material *m, BsdfPoint point, vec2 u, float choice) {
     const WhittedLobes lobes = whitted_lobes(m, point);
     const vec3 wo = point.wo, mirror = make3(-wo.x, -wo.y, wo.z);
-    const vec2 azimuth = turn(u.y);
-    const float cosine = sqrt(1.0f - u.x), sine = sqrt(u.x);
-    const vec3 diffuse = make3(sine * azimuth.x, sine * azimuth.y, cosine);
-    const vec3 specular = from_axis(mirror, power(1.0f - u.x, 1.0f / (lobes.phong.exponent + 1.0f)), azimuth);
-    const bool is_diffuse = choice < lobes.diffuse, is_rough = choice < lobes.diffuse + lobes.specular;
+    const vec3 specular = from_axis(mirror, power_cosine(u.x, lobes.phong.exponent), turn(u.y));
+    const bool is_rough = choice < lobes.diffuse + lobes.specular;
     const bool mirrors = (choice < lobes.diffuse + lobes.specular + lobes.reflected) | !(lobes.refracted > 0.0f);
-    const vec3 rough = where(is_diffuse, diffuse, specular);
-    const BsdfValue value = whitted_eval_lobes(lobes, wo, rough);
-    const vec3 bent = make3(-point.eta * wo.x, -point.eta * wo.y, -sqrt(maximum(lobes.cosine_squared_beyond, 0.0f)));
+    const vec3 rough = where(choice < lobes.diffuse, cosine_hemisphere(u), specular);
+    const vec3 bent = refracted(wo, make3(0.0f, 0.0f, 1.0f), wo.z, lobes.cosine_squared_beyond, point.eta);
     const float chance = mirrors ? lobes.reflected : lobes.refracted, inverse = chance > 0.0f ? 1.0f / chance : 0.0f;
     const Spectrum smooth = where(mirrors, lobes.split.reflected, scaled(lobes.split.refracted, point.eta * point.eta));
-    BsdfSample sample;
+    BsdfSample sample = sample_towards(rough, whitted_eval_lobes(lobes, wo, rough));
     sample.wi = where(is_rough, rough, where(mirrors, mirror, bent));
-    sample.weight = where(is_rough, scaled(value.value, value.pdf > 0.0f ? 1.0f / value.pdf : 0.0f), scaled(smooth, inverse));
-    sample.pdf = is_rough ? value.pdf : INFINITY;
+    sample.weight = where(is_rough, sample.weight, scaled(smooth, inverse));
+    sample.pdf = is_rough ? sample.pdf : INFINITY;
     return sample;
 }

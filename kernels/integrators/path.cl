@@ -10,6 +10,7 @@
 #include "kernels/core/params.h"
 #include "kernels/core/random.cl"
 #include "kernels/core/scene.cl"
+#include "kernels/core/sides.cl"
 #include "kernels/core/spawn.cl"
 #include "kernels/lights/choice.cl"
 #include "kernels/lights/light.cl"
@@ -25,23 +26,8 @@
 /// The weight of what was found with the density a, where the other way would have found it with the density b, given b / a.
 FUNCTION float power_heuristic(float ratio) { return 1.0f / fma(ratio, ratio, 1.0f); }
 
-/// A surface as rays leave it: `normal`, of shading, on the side of wo, and what lies on both sides.
-typedef struct {
-    Frame frame;
-    vec3 geometric, near, far;
-} Sides;
-
-/// Where the shading normal faces away from wo, the geometric one stands for it.
-FUNCTION Sides sides_of(SurfacePoint surface, SurfaceInterface interface, vec3 wo) {
-    const bool lit_beyond = (surface.flags & SURFACE_LIT_BEYOND) != 0u;
-    const float side = lit_beyond ? -1.0f : 1.0f;
-    const vec3 normal = scaled(surface.normal, side);
-    Sides sides;
-    sides.geometric = scaled(interface.geometric, side);
-    sides.near = where(lit_beyond, interface.beyond, surface.origin), sides.far = where(lit_beyond, surface.origin, interface.beyond);
-    sides.frame = frame_of(where(dot3(normal, wo) > 0.0f, normal, sides.geometric));
-    return sides;
-}
+/// Around the shading normal, or the geometric one where the shading normal faces away from wo.
+FUNCTION Frame frame_of(Sides sides, vec3 wo) { return frame_of(where(dot3(sides.normal, wo) > 0.0f, sides.normal, sides.geometric)); }
 
 /// Whether a direction leads to the same side of the surface itself as of the shading normal's plane: `z` is its component along that normal.
 FUNCTION bool on_its_side(Sides sides, vec3 direction, float z) { return dot3(sides.geometric, direction) * z > 0.0f; }
@@ -78,13 +64,14 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
         const vec2 direction_pair = sampler_pair(which.pixel, which.sample, uses + USE_DIRECTION, batch);
         const vec2 choices = sampler_pair(which.pixel, which.sample, uses + USE_CHOICES, batch);
 
-        const Sides sides = sides_of(surface, interface, wo);
+        const Sides sides = sides_of(surface, interface);
+        const Frame frame = frame_of(sides, wo);
         BsdfPoint point;
-        point.wo = to_frame(sides.frame, wo), point.eta = interface.eta;
+        point.wo = to_frame(frame, wo), point.eta = interface.eta;
         point.diffuse_tint = tint.diffuse, point.specular_tint = tint.specular;
 
         const BsdfSample next = bsdf_sample(material, point, direction_pair, choices.x);
-        const vec3 wi = unit(from_frame(sides.frame, next.wi));
+        const vec3 wi = unit(from_frame(frame, next.wi));
         const bool stays = next.wi.z > 0.0f, goes_on = on_surface & on_its_side(sides, wi, next.wi.z);
         // Radiance in a medium of index n has a factor n², which must not count as brightness.
         const bool enters = !stays && TRANSMITS && (material->flags & MATERIAL_TRANSMITS) != 0u;
@@ -107,7 +94,7 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
             const Light light = SCENE_ARRAY(scene, Light, lights)[chosen.row];
             const vec2 square = sampler_pair(which.pixel, which.sample, uses + USE_LIGHT, batch);
             const LightSample sample = light_sample(scene, light, surface.origin, light_random(square, path.branch));
-            const vec3 towards = to_frame(sides.frame, sample.direction);
+            const vec3 towards = to_frame(frame, sample.direction);
             const BsdfValue value = bsdf_eval(material, point, towards);
             const float weight = power_heuristic(value.pdf * inverse_light_density(chosen, sample.irradiance));
             const Spectrum received = scaled(times(value.value, sample.irradiance), chosen.inverse_chance * weight);

@@ -10,6 +10,7 @@
 #include "kernels/core/random.cl"
 #include "kernels/core/refraction.cl"
 #include "kernels/core/scene.cl"
+#include "kernels/core/sides.cl"
 #include "kernels/core/spawn.cl"
 #include "kernels/lights/light.cl"
 
@@ -61,10 +62,8 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
         const SurfaceInterface interface = load(interfaces + i);
         const vec3 wo = load(directions + i);
         const uint primitive = SURFACE_PRIMITIVE(surface.flags);
-        const bool lit_beyond = (surface.flags & SURFACE_LIT_BEYOND) != 0u;
-        const float side = lit_beyond ? -1.0f : 1.0f;
-        const vec3 normal = scaled(surface.normal, side), geometric = scaled(interface.geometric, side);
-        const vec3 near = where(lit_beyond, interface.beyond, surface.origin), far = where(lit_beyond, surface.origin, interface.beyond);
+        const Sides sides = sides_of(surface, interface);
+        const vec3 normal = sides.normal, geometric = sides.geometric;
         const global Material *material = materials + surface.material;
         const bool goes_on = (surface.flags & SURFACE_HIT) != 0u && path.depth < params.max_depth;
 
@@ -82,7 +81,8 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
         // The first child: the mirrored ray, or the one that is chosen.
         const Choice choice = choose_child(split, path.branch);
         const bool mirrors = !FOLLOWS_ONE | (choice.reflected & reflects) | !refracts;
-        const Ray mirrored_ray = ray_spawn(near, mirrored, RAY_REFLECTED, primitive), bent_ray = ray_spawn(far, bent, RAY_REFRACTED, primitive);
+        const Ray mirrored_ray = ray_spawn(sides.near, mirrored, RAY_REFLECTED, primitive),
+                  bent_ray = ray_spawn(sides.far, bent, RAY_REFRACTED, primitive);
         Path child = path;
         child.depth = path.depth + 1u;
         child.throughput = scaled(where(mirrors, reflected, refracted), (FOLLOWS_ONE & reflects & refracts) ? choice.weight : 1.0f);
