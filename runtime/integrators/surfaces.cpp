@@ -7,11 +7,7 @@
 namespace brandung {
 
 Surfaces::Surfaces(const IntegratorJob &job, bool bounces, std::size_t tallies)
-    : scene_(job.on_device),
-      interior_size_(job.compiled.interior_size),
-      evaluate_(job.device, "kernels/stages/evaluate_surfaces.cl", "evaluate_surfaces", scene_.lists()),
-      intersect_together_(tracing_kernel(job, true, &Traversal::closest_hit)),
-      instances(job.compiled.instances),
+    : instances(job.compiled.instances),
       hits(job.device, job.batch),
       hit_instances(job.device, instances ? job.batch : 0),
       points(job.device, job.batch),
@@ -21,7 +17,11 @@ Surfaces::Surfaces(const IntegratorJob &job, bool bounces, std::size_t tallies)
       no_words(job.device, 0),
       no_floats(job.device, 0),
       no_tints(job.device, 0),
-      counter(job.device, tallies) {
+      counter(job.device, tallies),
+      scene_(job.on_device),
+      interior_size_(job.compiled.interior_size),
+      evaluate_(job.device, "kernels/stages/evaluate_surfaces.cl", "evaluate_surfaces", scene_.lists()),
+      intersect_together_(tracing_kernel(job, true, &Traversal::closest_hit)) {
     if (bounces) intersect_apart_.emplace(tracing_kernel(job, false, &Traversal::closest_hit));
     if (job.compiled.transmits) media.emplace(job);
     if (job.compiled.tints) pictures.emplace(job);

@@ -28,15 +28,6 @@ public:
     /// The stages that the scene does without.
     void add_skipped(std::vector<Skipped> &skipped) const;
 
-private:
-    void trace(const Wave &wave);
-
-    const DeviceScene &scene_;
-    uint interior_size_;
-    Kernel evaluate_, intersect_together_;
-    std::optional<Kernel> intersect_apart_;
-
-public:
     bool instances;  ///< whether the scene has some
     Buffer<Hit> hits;
     Buffer<uint> hit_instances;  ///< of the hits, in scenes with instances
@@ -50,6 +41,14 @@ public:
     RayCounter counter;
     std::optional<Interfaces> media;
     std::optional<Pictures> pictures;
+
+private:
+    void trace(const Wave &wave);
+
+    const DeviceScene &scene_;
+    uint interior_size_;
+    Kernel evaluate_, intersect_together_;
+    std::optional<Kernel> intersect_apart_;
 };
 
 }  // namespace brandung
