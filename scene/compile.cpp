@@ -36,7 +36,8 @@ void expect_whitted(const Scene &scene) {
 /// As if the scene used whatever changes no picture by being there.
 void use_everything(const Scene &scene, CompiledScene &compiled) {
     compiled.bsdfs = numbers_of(bsdf_kinds()), compiled.lights = numbers_of(light_kinds());
-    compiled.reflects = compiled.transmits = compiled.emissive_instances = compiled.highlights = compiled.shading_normals = compiled.tints = true;
+    compiled.reflects = compiled.transmits = compiled.emissive_instances = compiled.environment = compiled.highlights = compiled.shading_normals =
+        compiled.tints = true;
     compiled.filters_shadows = scene.integrator.filtered_shadows;
     compiled.interior_size = max_interior_size;
 }

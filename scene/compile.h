@@ -35,6 +35,7 @@ struct CompiledScene {
     bool follows_one = false;                  ///< whether of a reflected and a refracted ray one is chosen
     bool filters_shadows = false;              ///< whether transparent objects let light through, and there are some
     bool emissive_instances = false;           ///< whether any light is an emissive shape of an instance
+    bool environment = false;                  ///< whether the background is a light
     bool highlights = false;                   ///< whether any material has one
     bool shading_normals = false;              ///< whether any primitive has normals of its own for shading
     bool tints = false;                        ///< whether pictures or vertices give any hit or miss a colour

@@ -82,9 +82,9 @@ json SceneObjects::primitive(uint number, uint instance_number) {
 json SceneObjects::stratum(uint row) const {
     Emission emission;
     std::memcpy(&emission, lights_.rows[row].words, sizeof emission);
-    const uint cells = scene_.integrator.light_samples * scene_.integrator.light_samples, place = emission.stratum.column_and_row;
-    if (emission.stratum.rows == 0) return {{"cell", (row - static_cast<uint>(scene_.lights.size())) % cells}, {"cells", cells}};
-    return {{"column", place & 0xffff}, {"row", place >> 16}, {"rows", emission.stratum.rows}};
+    const uint cells = scene_.integrator.light_samples * scene_.integrator.light_samples, cell = emission.stratum.cell;
+    if (cell == 0) return {{"cell", (row - static_cast<uint>(scene_.lights.size())) % cells}, {"cells", cells}};
+    return {{"column", cell & 0xff}, {"row", cell >> 8 & 0xff}, {"rows", cell >> 16}};
 }
 
 json SceneObjects::light(uint row) {

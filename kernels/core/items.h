@@ -42,6 +42,7 @@ typedef struct {
 #define SURFACE_HIT 1u         ///< the ray hit something
 #define SURFACE_LIT 2u         ///< light from lights can be seen on it
 #define SURFACE_LIT_BEYOND 4u  ///< and falls on the side away from `wo`: a transparent object's outside, seen from inside
+#define SURFACE_BACK 8u        ///< the ray met the side that the geometric normal leads away from
 #define SURFACE_PRIMITIVE(flags) ((flags) >> 4)
 
 // A surface point is three records, so that each stage reads whole ones: the compiler reads consecutive whole records by shuffles, but takes

@@ -5,9 +5,11 @@
 typedef struct {
     const global SceneHeader *header;
     const global uchar *arena;
+    const global ushort *texels;  ///< where a kernel has them, else 0
 } Scene;
 #define SCENE_PARAMS const global SceneHeader *restrict scene_header, const global uchar *restrict scene_arena
-#define SCENE ((Scene){scene_header, scene_arena})
+#define SCENE ((Scene){scene_header, scene_arena, 0})
+#define SCENE_WITH_TEXELS ((Scene){scene_header, scene_arena, scene_texels})
 /// The records of a span, as a typed pointer.
 #define RECORDS(scene, Record, span) ((const global Record *)((scene).arena + 64ul * (span).offset))
 /// The same of a span of the header.

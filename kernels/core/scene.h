@@ -21,6 +21,8 @@ typedef struct {
 #define MATERIAL_SPAWNS_ALWAYS 4u  ///< its rays are traced at weight 0 too
 #define MATERIAL_LIT 8u            ///< light from lights can be seen on it
 #define MATERIAL_HIGHLIGHT 16u     ///< as a highlight too
+#define MATERIAL_DARK_FRONT 32u    ///< its emission leaves only the side that the geometric normal leads away from,
+#define MATERIAL_DARK_BACK 64u     ///< or only the other one
 
 /// A surface's material; 128 bytes. `words` is the kind's own.
 typedef struct {
@@ -57,6 +59,9 @@ typedef struct {
     Span light_choices;     ///< LightChoice by light, for paths
     float emission_chance;  ///< density by area of paths' points on emissive shapes, in their spaces, over their mean radiance; 0: none are chosen
     Span textures;          ///< TextureRecord
+    Span environment_rows, environment_cells;  ///< EnvironmentRow, EnvironmentCell, if paths ask for light of the background
+    uint environment_columns;                  ///< cells per row
+    float environment_density;                 ///< mean density with which they ask for a direction [1/sr]
     Spectrum background, ambient;
     uint background_texture;  ///< number + 1 of the picture that the background is multiplied by; 0: none
     float background_turn;    ///< by which the picture is turned about the y axis [turns]

@@ -4,6 +4,7 @@
 #include "generated/instances.cl"
 #include "generated/interior.cl"
 #include "generated/tints.cl"
+#include "kernels/bsdfs/emitted.cl"
 #include "kernels/bsdfs/scattering.cl"
 #include "kernels/core/frame.cl"
 #include "kernels/core/load.cl"
@@ -38,11 +39,11 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
                        const global Path *restrict paths, const global SurfacePoint *restrict points,
                        const global SurfaceInterface *restrict interfaces, const global vec3 *restrict directions,
                        const global uint *restrict instances, const global Tints *restrict tints, const global uint *restrict interiors,
-                       const global uint *restrict beyond, uint base, global Ray *restrict children, global Path *restrict child_paths,
-                       global float *restrict child_pdfs, global uint *restrict child_sources, global uint *restrict child_interiors,
-                       global uchar *restrict child_alive, global Ray *restrict shadow_rays, global Spectrum *restrict shadow_light,
-                       global uchar *restrict shadow_alive) {
-    const Scene scene = SCENE;
+                       const global uint *restrict beyond, const global ushort *restrict scene_texels, uint base, global Ray *restrict children,
+                       global Path *restrict child_paths, global float *restrict child_pdfs, global uint *restrict child_sources,
+                       global uint *restrict child_interiors, global uchar *restrict child_alive, global Ray *restrict shadow_rays,
+                       global Spectrum *restrict shadow_light, global uchar *restrict shadow_alive) {
+    const Scene scene = SCENE_WITH_TEXELS;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     const global uint *list = live + first;
     global Ray *first_rays = children + base;
@@ -96,7 +97,7 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
             const LightSample sample = light_sample(scene, light, surface.origin, light_random(square, path.branch));
             const vec3 towards = to_frame(frame, sample.direction);
             const BsdfValue value = bsdf_eval(material, point, towards);
-            const float weight = power_heuristic(value.pdf * inverse_light_density(chosen, sample.irradiance));
+            const float weight = power_heuristic(value.pdf * inverse_light_density(chosen, sample));
             const Spectrum received = scaled(times(value.value, sample.irradiance), chosen.inverse_chance * weight);
             const Spectrum added = times(path.throughput, received);
             const vec3 origin = where(towards.z > 0.0f, sides.near, sides.far);
@@ -125,18 +126,19 @@ kernel void shade_path(SCENE_PARAMS, uint first_generation, LIVE_PARAMS, const g
         const SurfacePoint surface = load(points + i);
         const Tints tint = tints_at(tints, i);
         const bool on_surface = (surface.flags & SURFACE_HIT) != 0u;
-        const Spectrum radiance = load(&materials[surface.material].emission);
+        const Spectrum radiance = emitted(materials + surface.material, surface.flags);
         float weight = 1.0f;
         if (LIGHTS) {
             const uint primitive = on_surface ? SURFACE_PRIMITIVE(surface.flags) : 0u;
             const vec3 from = load(&rays[k].origin), geometric = load(&interfaces[i].geometric);
             const vec3 straight = minus(surface.origin, from);
             const float distance = sqrt(dot3(straight, straight)), cosine = dot3(geometric, load(directions + i));
-            const float density =
+            const float by_emission =
                 emission_density(scene, records + primitive, instance_at(instances, i), radiance, from, surface.origin, geometric, distance, cosine);
+            const float density = on_surface ? by_emission : environment_density(scene, negate(load(directions + i)));
             weight = first_generation != 0u ? 1.0f : power_heuristic(density / pdfs[k]);
         }
-        const Spectrum met = where(on_surface, scaled(radiance, weight), times(background, tint.diffuse));
+        const Spectrum met = scaled(where(on_surface, radiance, times(background, tint.diffuse)), weight);
         const Spectrum emitted = times(met, load(&paths[k].throughput));
         const bool lit = (with_lights != 0u) && visible[i] != 0;
         contributions[i] = plus(where(largest(met) > 0.0f, emitted, black), where(lit, load(shadow_light + i), black));

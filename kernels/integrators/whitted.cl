@@ -5,6 +5,7 @@
 #include "generated/shadow_filter.cl"
 #include "generated/tints.cl"
 #include "kernels/bsdfs/bsdf.cl"
+#include "kernels/bsdfs/emitted.cl"
 #include "kernels/core/load.cl"
 #include "kernels/core/params.h"
 #include "kernels/core/random.cl"
@@ -147,7 +148,7 @@ kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint with_unlit, uint first
             const uint flags = points[i].flags;
             const global Material *material = materials + points[i].material;
             const Tints tint = tints_at(tints, i);
-            const Spectrum own = plus(load(&material->emission), times(times(ambient, bsdf_ambient(material)), tint.diffuse));
+            const Spectrum own = plus(emitted(material, flags), times(times(ambient, bsdf_ambient(material)), tint.diffuse));
             const Spectrum unlit = where((flags & SURFACE_HIT) != 0u, own, times(background, tint.diffuse));
             const Spectrum sum = where(with_unlit != 0u, unlit, black);
             Phong phong = bsdf_phong(material);

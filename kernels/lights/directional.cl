@@ -11,5 +11,6 @@ FUNCTION LightSample directional_sample(Scene scene, Light l, vec3 p, LightRando
     sample.direction = sample.ray_direction = make3(as_float(l.words[0]), as_float(l.words[1]), as_float(l.words[2]));
     sample.distance = INFINITY;
     sample.irradiance = make3(as_float(l.words[3]), as_float(l.words[4]), as_float(l.words[5]));
+    sample.inverse_density = 0.0f;
     return sample;
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include "generated/emissive_instances.cl"
 #include "kernels/core/lanes_1.cl"
+#include "kernels/core/scene.h"
 #include "kernels/lights/emission.h"
 #include "kernels/lights/light.h"
 
@@ -21,11 +22,13 @@ FUNCTION LightSample emission_sample(Scene scene, Emission emission, vec3 p, Emi
     const float off = q.error + 0x1p-20f * (sqrt(square) + largest(absolute(q.p)));
     const vec3 way = minus(straight, scaled(q.normal, height > 0.0f ? off : -off));
     const float distance = sqrt(dot3(way, way)), inverse = 1.0f / sqrt(maximum(square, off * off));
+    const uint dark = height < 0.0f ? MATERIAL_DARK_FRONT : MATERIAL_DARK_BACK;
     const float facing = fabs(height) > off ? fabs(height) * inverse : 0.0f;
     LightSample sample;
     sample.direction = scaled(straight, inverse);
     sample.ray_direction = scaled(way, 1.0f / distance);
     sample.distance = distance;
-    sample.irradiance = scaled(emission.power, q.inverse_density * facing * inverse * inverse);
+    sample.irradiance = scaled(emission.power, (emission.dark & dark) != 0u ? 0.0f : q.inverse_density * facing * inverse * inverse);
+    sample.inverse_density = 0.0f;
     return sample;
 }

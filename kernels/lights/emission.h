@@ -6,9 +6,8 @@
 
 /// A cell of the k x k into which the unit square is divided from which points of a light are made.
 typedef struct {
-    uint salt;            ///< of its random numbers, different for every cell of every light
-    uint rows;            ///< k
-    uint column_and_row;  ///< column | row << 16
+    uint salt;  ///< of its random numbers, different for every cell of every light
+    uint cell;  ///< column | row << 8 | k << 16
 } Stratum;
 
 /// What their views of Light.words begin with.
@@ -16,11 +15,12 @@ typedef struct {
     Spectrum power;  ///< radiance, times the area where points are uniform by area, over k²
     Stratum stratum;
     uint instance;  ///< that the shape is in; 0: none
+    uint dark;      ///< sides that do not shine: MATERIAL_DARK_...
 } Emission;
 
-/// A point of a shape's surface, both of whose sides shine, in the shape's own space or in the world; never stored.
+/// A point of a shape's surface, in the shape's own space or in the world; never stored.
 typedef struct {
-    vec3 p, normal;         ///< of unit length
+    vec3 p, normal;         ///< of unit length, to the outside
     float error;            ///< bounds how far from the surface p is
     float inverse_density;  ///< over the density with which p was chosen, but for what Emission.power has of it already [area]
 } EmissivePoint;
@@ -47,7 +47,7 @@ typedef struct {
 /// A part of a triangle or parallelogram of a mesh, and its entry in the cell's table of aliases (Walker 1977; Vose 1991). 72 bytes.
 typedef struct {
     vec3 corner, u, v;  ///< points corner + s u + t v, s and t in [0, 1]; of a triangle, s + t <= 1 too
-    vec3 normal;        ///< unit length
+    vec3 normal;        ///< unit length, to the outside
     float folded;       ///< 1 for a triangle, else 0
     float error;        ///< bounds how far from the face the points are
     float kept;         ///< with this probability the entry means its own face,

@@ -9,12 +9,13 @@ FUNCTION LightSample where(int c, LightSample a, LightSample b) {
     LightSample r;
     r.direction = where(c, a.direction, b.direction), r.ray_direction = where(c, a.ray_direction, b.ray_direction);
     r.distance = where(c, a.distance, b.distance), r.irradiance = where(c, a.irradiance, b.irradiance);
+    r.inverse_density = where(c, a.inverse_density, b.inverse_density);
     return r;
 }
 
 /// Light from `light` at p, of emissive shapes from a point that `random` chooses.
 FUNCTION LightSample light_sample(Scene scene, Light light, vec3 p, LightRandom random) {
-    LightSample sample = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, 0.0f, {0.0f, 0.0f, 0.0f}};
+    LightSample sample = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, 0.0f, {0.0f, 0.0f, 0.0f}, 0.0f};
 #define CASE(KIND, View, name) \
     ONLY_IF(light.kind == KIND) sample = where(light.kind == KIND, name##_sample(scene, light, p, random), sample);
     FOR_EACH_LIGHT(CASE)

@@ -12,4 +12,6 @@ typedef struct {
     vec3 ray_direction;   ///< the same, but for what keeps a ray off a surface that shines
     float distance;       ///< at which a ray in that direction ends, infinite for directional lights
     Spectrum irradiance;  ///< on a surface at the point that faces the light [W/m²]
+    /// Of the environment, over the density with which the direction was chosen [sr]; 0 of other lights, whose irradiance tells theirs.
+    float inverse_density;
 } LightSample;

@@ -7,5 +7,5 @@ typedef struct {
     float kept;            ///< with this probability the entry means its own light,
     uint alias;            ///< else this one
     float inverse_chance;  ///< over the probability of its own light
-    float radiance;        ///< of an emissive shape, mean of its channels; INFINITY for lights that a ray cannot meet
+    float radiance;        ///< of an emissive shape, mean of its channels; INFINITY for others
 } LightChoice;

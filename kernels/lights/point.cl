@@ -23,5 +23,6 @@ FUNCTION LightSample point_sample(Scene scene, Light l, vec3 p, LightRandom rand
     sample.direction = sample.ray_direction = scaled(way, 1.0f / distance);
     sample.distance = distance;
     sample.irradiance = scaled(light.intensity, 1.0f / attenuation_at(light.attenuation, distance));
+    sample.inverse_density = 0.0f;
     return sample;
 }

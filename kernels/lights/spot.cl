@@ -33,5 +33,6 @@ FUNCTION LightSample spot_sample(Scene scene, Light l, vec3 p, LightRandom rando
     sample.direction = sample.ray_direction = scaled(way, 1.0f / distance);
     sample.distance = distance;
     sample.irradiance = scaled(light.intensity, spot_falloff(light, sample.direction) / attenuation_at(light.attenuation, distance));
+    sample.inverse_density = 0.0f;
     return sample;
 }

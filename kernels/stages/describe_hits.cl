@@ -1,5 +1,6 @@
 // What is told of hits when a pixel is inspected. Never part of a render.
 #include "kernels/bsdfs/bsdf.cl"
+#include "kernels/bsdfs/emitted.cl"
 #include "kernels/core/load.cl"
 #include "kernels/core/refraction.cl"
 #include "kernels/primitives/placed.cl"
@@ -21,7 +22,7 @@ kernel void describe_hits(SCENE_PARAMS, const global Ray *restrict rays, const g
         description.geometric = surface.geometric, description.normal = surface.normal;
         description.cosine = minimum(maximum(dot3(wo, scaled(surface.normal, enters ? 1.0f : -1.0f)), 0.0f), 1.0f);
         description.cosine_squared_beyond = refracted_cosine_squared(description.cosine, etas[i]);
-        description.emission = load(&material->emission);
+        description.emission = emitted(material, enters ? 0u : SURFACE_BACK);
         description.ambient = times(scene.header->ambient, bsdf_ambient(material));
         descriptions[i] = description;
     }

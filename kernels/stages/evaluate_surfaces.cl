@@ -32,13 +32,13 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
         const float lit_side = lit_beyond ? -side : side;
         const vec3 geometric = scaled(surface.geometric, lit_side);
         const vec3 offset = scaled(geometric, dot3(absolute(geometric), surface.error));
-        const uint beyond = lit_beyond ? SURFACE_LIT_BEYOND : 0u;
+        const uint beyond = lit_beyond ? SURFACE_LIT_BEYOND : 0u, back = enters ? 0u : SURFACE_BACK;
         const uint lit = (material->flags & MATERIAL_LIT) != 0u ? SURFACE_LIT : 0u;
         SurfacePoint point;
         point.origin = spawn_origin(surface.p, offset);
         point.material = on_surface ? material_index : 0u;
         point.normal = scaled(surface.normal, lit_side);
-        point.flags = on_surface ? SURFACE_HIT | beyond | lit | hit.primitive << 4 : 0u;
+        point.flags = on_surface ? SURFACE_HIT | beyond | lit | back | hit.primitive << 4 : 0u;
         points[i] = point;
 
         SurfaceInterface interface;

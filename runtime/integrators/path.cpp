@@ -91,9 +91,9 @@ private:
         const bool lit = asked_.has_value();
         spawn_(wave.count, scene_.tables(), params_, batch.params, several(batch.pixels, 1.0 / batch.params.samples), wave, wave.level.paths,
                surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.hit_instances, surfaces_.tints(),
-               surfaces_.in_lists(wave.level.interiors), surfaces_.in_lists(surfaces_.beyond()), wave.base, below.rays, below.paths, below.pdfs,
-               below.sources, surfaces_.in_lists(below.interiors), alive_, lit ? asked_->shadows.rays : no_rays_, lit ? asked_->light : no_spectra_,
-               lit ? asked_->shadows.visible : surfaces_.no_bytes);
+               surfaces_.in_lists(wave.level.interiors), surfaces_.in_lists(surfaces_.beyond()), shared(scene_.texels()), wave.base, below.rays,
+               below.paths, below.pdfs, below.sources, surfaces_.in_lists(below.interiors), alive_, lit ? asked_->shadows.rays : no_rays_,
+               lit ? asked_->light : no_spectra_, lit ? asked_->shadows.visible : surfaces_.no_bytes);
         compact_(alive_, wave.count, wave.count, 1, wave.base, below.end, below.live);
         if (!lit) return;
         asked_->shadows.list(wave.count, 1);

@@ -88,6 +88,7 @@ Sources specialize(const CompiledScene &scene, RayLanes lanes) {
     sources["generated/instances.cl"] = include(scene.instances ? "primitives/instance.cl" : "primitives/no_instance.cl");
     sources["generated/emissive_instances.cl"] =
         include(scene.emissive_instances ? "lights/emissive_instances.cl" : "lights/no_emissive_instances.cl");
+    sources["generated/environment.cl"] = include(scene.environment ? "lights/environment_density.cl" : "lights/no_environment.cl");
     sources["generated/sampler.cl"] = include(fmt::format("samplers/{}.cl", sampler_kinds()[scene.sampler].name));
     sources["generated/filter.cl"] = include(fmt::format("filters/{}.cl", filter_kinds()[scene.filter].file));
     sources["generated/interior.cl"] = include(scene.transmits ? "core/interior.cl" : "core/no_interior.cl");

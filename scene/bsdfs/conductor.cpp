@@ -65,7 +65,7 @@ Material read_conductor(const Parameters &parameters, Scene &scene) {
     if (facets.alpha > 0) add_multiple_reflection(conductor, facets);
     Material material = material_of_kind("conductor", facets.alpha > 0 ? MATERIAL_LIT : 0, conductor);
     material.specular_texture = specular.texture;
-    material.emission = parameters.spectrum("emission", Spectrum(0));
+    read_emission(parameters, material);
     return material;
 }
 

@@ -19,7 +19,7 @@ Material read_dielectric(const Parameters &parameters, Scene &) {
     Material material = material_of_kind("dielectric", flags, dielectric);
     material.eta = parameters.positive("eta", 1.5f);
     material.priority = parameters.integer("priority", 0, 0, max_priority);
-    material.emission = parameters.spectrum("emission", Spectrum(0));
+    read_emission(parameters, material);
     return material;
 }
 

@@ -12,7 +12,7 @@ Material read_diffuse(const Parameters &parameters, Scene &scene) {
     const TexturedSpectrum reflectance = read_textured_fraction(parameters, "reflectance", Spectrum(0.5f), scene);
     Material material = material_of_kind("diffuse", largest(reflectance.value) > 0 ? MATERIAL_LIT : 0, Diffuse{reflectance.value});
     material.diffuse_texture = reflectance.texture;
-    material.emission = parameters.spectrum("emission", Spectrum(0));
+    read_emission(parameters, material);
     return material;
 }
 

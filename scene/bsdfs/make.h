@@ -18,4 +18,7 @@ template <class View> Material material_of_kind(const char *name, uint flags, co
     return material;
 }
 
+/// Radiance, and the sides that shine.
+void read_emission(const Parameters &parameters, Material &material);
+
 }  // namespace brandung

@@ -17,7 +17,7 @@ Material read_phong(const Parameters &parameters, Scene &scene) {
     const ModifiedPhong phong{diffuse.value, specular.value, parameters.positive("exponent", 50.0f)};
     Material material = material_of_kind("phong", largest(diffuse.value + specular.value) > 0 ? MATERIAL_LIT : 0, phong);
     material.diffuse_texture = diffuse.texture, material.specular_texture = specular.texture;
-    material.emission = parameters.spectrum("emission", Spectrum(0));
+    read_emission(parameters, material);
     return material;
 }
 

@@ -49,7 +49,7 @@ Material read_plastic(const Parameters &parameters, Scene &scene) {
     add_boundary(plastic, facets, eta);
     Material material = material_of_kind("plastic", facets.alpha > 0 || largest(diffuse.value) > 0 ? MATERIAL_LIT : 0, plastic);
     material.diffuse_texture = diffuse.texture;
-    material.emission = parameters.spectrum("emission", Spectrum(0));
+    read_emission(parameters, material);
     return material;
 }
 

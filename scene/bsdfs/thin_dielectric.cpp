@@ -13,7 +13,7 @@ Material read_thin_dielectric(const Parameters &parameters, Scene &) {
     sheet.transmission = parameters.fraction("transmission", Spectrum(1));
     Material material = material_of_kind("thin_dielectric", 0, sheet);
     material.eta = parameters.positive("eta", 1.5f);
-    material.emission = parameters.spectrum("emission", Spectrum(0));
+    read_emission(parameters, material);
     return material;
 }
 

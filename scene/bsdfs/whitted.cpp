@@ -33,7 +33,7 @@ Material read_whitted(const Parameters &parameters, Scene &scene) {
     material.diffuse_texture = diffuse.texture, material.specular_texture = specular.texture;
     material.eta = parameters.positive("eta", 1.5f);
     material.priority = parameters.integer("priority", 0, 0, max_priority);
-    material.emission = parameters.spectrum("emission", Spectrum(0));
+    read_emission(parameters, material);
     return material;
 }
 

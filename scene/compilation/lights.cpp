@@ -34,6 +34,11 @@ void add_lights(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     const LightChoices choices = make_light_choices(lights, scene, compiled.header.world.extent);
     compiled.header.light_choices = arena.add(choices.choices);
     compiled.header.emission_chance = choices.emission;
+    compiled.environment = choices.environment > 0;
+    compiled.header.environment_rows = arena.add(lights.environment.rows);
+    compiled.header.environment_cells = arena.add(lights.environment.cells);
+    compiled.header.environment_columns = lights.environment.columns();
+    compiled.header.environment_density = choices.environment;
 }
 
 }  // namespace brandung

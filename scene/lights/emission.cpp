@@ -14,7 +14,7 @@ template <class View> Light make_emissive(const char *kind, const View &view) {
     return result;
 }
 
-/// Of radiance 1, per area.
+/// Of radiance 1, per area. What shines to one side only counts as if it did to both: rays that meet it tell its density by its radiance alone.
 constexpr float both_sides = 2 * std::numbers::pi_v<float>;
 
 }  // namespace
@@ -38,18 +38,19 @@ std::vector<Light> make_cells(const Light &light, uint rows) {
         for (uint column = 0; column < rows; ++column) {
             auto emission = view_of<Emission>(light.words);
             emission.power /= float(rows * rows);
-            emission.stratum = {.salt = 0, .rows = rows, .column_and_row = column | row << 16};
+            emission.stratum = {.salt = 0, .cell = column | row << 8 | rows << 16};
             write_words(emission, cells.emplace_back(light).words);
         }
     return cells;
 }
 
-void append_cells(const std::vector<Light> &cells, Spectrum radiance, uint instance, std::vector<Light> &lights) {
+void append_cells(const std::vector<Light> &cells, const Material &material, uint instance, std::vector<Light> &lights) {
     for (const Light &cell : cells) {
         auto emission = view_of<Emission>(cell.words);
-        emission.power *= radiance;
+        emission.power *= material.emission;
         emission.stratum.salt = uint(lights.size());
         emission.instance = instance;
+        emission.dark = material.flags & (MATERIAL_DARK_FRONT | MATERIAL_DARK_BACK);
         write_words(emission, lights.emplace_back(cell).words);
     }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 
 #include "scene/vectors.h"
 
@@ -59,19 +60,21 @@ private:
     std::pair<uint, uint> edge(uint t, uint k) const { return std::minmax(triangles_[t][(k + 1) % 3], triangles_[t][(k + 2) % 3]); }
     vec3 corner(uint t, uint k) const { return positions_[triangles_[t][k]]; }
 
-    /// The corner that is not on the edge.
-    vec3 opposite(uint t, std::pair<uint, uint> shared) const {
+    /// The corner that is not on the edge, if t goes along it this way.
+    std::optional<vec3> opposite(uint t, uint from, uint to) const {
         for (uint k = 0; k < 3; ++k)
-            if (edge(t, k) == shared) return corner(t, k);
-        return corner(t, 0);
+            if (triangles_[t][(k + 1) % 3] == from && triangles_[t][(k + 2) % 3] == to) return corner(t, k);
+        return {};
     }
 
-    /// The first free triangle that makes a parallelogram with t across the edge opposite to its corner k.
+    /// The first free triangle that makes a parallelogram with t across the edge opposite to its corner k, and has its front on the same side.
     uint partner(uint t, uint k) const {
-        for (const uint other : edges_.at(edge(t, k)))
-            if (other != t && !taken_[other] &&
-                is_parallelogram(corner(t, k), corner(t, (k + 1) % 3), corner(t, (k + 2) % 3), opposite(other, edge(t, k))))
-                return other;
+        const uint from = triangles_[t][(k + 1) % 3], to = triangles_[t][(k + 2) % 3];
+        for (const uint other : edges_.at(edge(t, k))) {
+            if (other == t || taken_[other]) continue;
+            const std::optional<vec3> far = opposite(other, to, from);
+            if (far && is_parallelogram(corner(t, k), positions_[from], positions_[to], *far)) return other;
+        }
         return nobody;
     }
 

@@ -5,6 +5,7 @@
 #include "kernels/core/scene.h"
 #include "kernels/lights/directional.h"
 #include "kernels/lights/emission.h"
+#include "kernels/lights/environment.h"
 #include "kernels/lights/point.h"
 #include "kernels/lights/spot.h"
 
@@ -18,7 +19,8 @@ struct LightKind {
     const char *record;  ///< its view of Light.words
     /// Power [W], about: by it paths choose lights. `extent` is how far the scene reaches from the origin, for what shines from or to infinitely far.
     Spectrum (*power)(const Light &light, float extent);
-    Light (*read)(const Parameters &parameters);  ///< null: made of emissive shapes
+    bool is_far;                                  ///< shines from infinitely far
+    Light (*read)(const Parameters &parameters);  ///< null: made of emissive shapes or the background
 };
 const std::vector<LightKind> &light_kinds();
 /// Those that scene files name.
@@ -29,15 +31,16 @@ Light make_light(const PointLight &light);
 Light make_light(const DirectionalLight &light);
 /// As a point light; `direction` has unit length, and shape_cone has set the cone.
 Light make_light(const SpotLight &light);
+Light make_light(const Environment &light);
 /// Emissive shapes of radiance 1, in their own space.
 Light make_light(const EmissiveMesh &light);
 Light make_light(const EmissiveSphere &light);
 Light make_light(const EmissiveFrustum &light);
 /// rows * rows of them, each with its cell of the square from which points of the light are made, and its share of the light.
 std::vector<Light> make_cells(const Light &light, uint rows);
-/// Appends the cells of an emissive shape, given this radiance, in an instance or, for 0, in none; their random numbers differ from those of all
-/// lights before.
-void append_cells(const std::vector<Light> &cells, Spectrum radiance, uint instance, std::vector<Light> &lights);
+/// Appends the cells of an emissive shape, given this material's emission, in an instance or, for 0, in none; their random numbers differ from those
+/// of all lights before.
+void append_cells(const std::vector<Light> &cells, const Material &material, uint instance, std::vector<Light> &lights);
 /// The cone has the full angle `angle` in (0, 2 pi] [radians]; over the outer part `penumbra` in [0, 1] of half of that the intensity falls to 0.
 void shape_cone(SpotLight &light, double angle, double penumbra);
 

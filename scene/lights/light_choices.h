@@ -1,4 +1,5 @@
-/// Which light a path asks: each as likely as its power is of all.
+/// Which light a path asks: each as likely as its power is of all, but those that are infinitely far, whose power grows with the scene, not more
+/// often together than all others.
 #pragma once
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace brandung {
 struct LightChoices {
     std::vector<LightChoice> choices;  ///< by row
     float emission = 0;                ///< SceneHeader.emission_chance
+    float environment = 0;             ///< SceneHeader.environment_density
 };
 
 /// Empty if no light has any power. `extent`: see LightKind::power.

@@ -13,6 +13,14 @@ bool shows_light(const Scene &scene) {
     return false;
 }
 
+void add_environment(const Scene &scene, LightRows &lights) {
+    lights.environment = make_environment(scene.textures[scene.background_texture - 1].picture, scene.background);
+    if (lights.environment.rows.empty()) return;
+    lights.rows.push_back(make_light(Environment{lights.environment.radiance}));
+    lights.shapes.resize(lights.rows.size());
+    ++lights.counts["environment"];
+}
+
 }  // namespace
 
 LightRows make_light_rows(const Scene &scene) {
@@ -32,9 +40,10 @@ LightRows make_light_rows(const Scene &scene) {
         const auto [cells, is_new] = made.try_emplace(placed.shape);
         if (is_new) cells->second = placed.shape->light(samples, lights.faces);
         ++lights.counts[light_kinds()[cells->second.front().kind].name];
-        append_cells(cells->second, scene.materials[placed.material].record.emission, placed.instance, lights.rows);
+        append_cells(cells->second, scene.materials[placed.material].record, placed.instance, lights.rows);
         lights.shapes.resize(lights.rows.size(), placed);
     }
+    if (scene.integrator.type == "path" && scene.background_texture != 0) add_environment(scene, lights);
     return lights;
 }
 

@@ -12,15 +12,17 @@ Spectrum power_of_spot(const Light &light, float extent);
 Spectrum power_of_emissive_mesh(const Light &light, float extent);
 Spectrum power_of_emissive_sphere(const Light &light, float extent);
 Spectrum power_of_emissive_frustum(const Light &light, float extent);
+Spectrum power_of_environment(const Light &light, float extent);
 
 const std::vector<LightKind> &light_kinds() {
     static const std::vector<LightKind> kinds = {
-        {"point", "PointLight", power_of_point, read_point},
-        {"directional", "DirectionalLight", power_of_directional, read_directional},
-        {"spot", "SpotLight", power_of_spot, read_spot},
-        {"emissive_mesh", "EmissiveMesh", power_of_emissive_mesh, nullptr},
-        {"emissive_sphere", "EmissiveSphere", power_of_emissive_sphere, nullptr},
-        {"emissive_frustum", "EmissiveFrustum", power_of_emissive_frustum, nullptr},
+        {"point", "PointLight", power_of_point, false, read_point},
+        {"directional", "DirectionalLight", power_of_directional, true, read_directional},
+        {"spot", "SpotLight", power_of_spot, false, read_spot},
+        {"emissive_mesh", "EmissiveMesh", power_of_emissive_mesh, false, nullptr},
+        {"emissive_sphere", "EmissiveSphere", power_of_emissive_sphere, false, nullptr},
+        {"emissive_frustum", "EmissiveFrustum", power_of_emissive_frustum, false, nullptr},
+        {"environment", "Environment", power_of_environment, true, nullptr},
     };
     return kinds;
 }

@@ -95,7 +95,7 @@ public:
         const double half_length = record_.half_length, radius = record_.radius, rise = record_.slope * half_length;
         const double area = 4 * std::numbers::pi * radius * std::hypot(half_length, rise);
         return make_cells(make_light(EmissiveFrustum{
-                              {Spectrum(float(area)), {}, 0}, record_.center, record_.axis * record_.half_length, record_.radius, float(rise)}),
+                              {Spectrum(float(area)), {}, 0, 0}, record_.center, record_.axis * record_.half_length, record_.radius, float(rise)}),
                           cells);
     }
 

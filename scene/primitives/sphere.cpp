@@ -45,7 +45,7 @@ public:
     }
 
     std::vector<Light> light(uint cells, std::vector<EmissiveFace> &) const override {
-        return make_cells(make_light(EmissiveSphere{{Spectrum(1), {}, 0}, center_, std::abs(radius_)}), cells);
+        return make_cells(make_light(EmissiveSphere{{Spectrum(1), {}, 0, 0}, center_, std::abs(radius_)}), cells);
     }
 
 private:

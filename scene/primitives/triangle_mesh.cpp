@@ -79,7 +79,8 @@ public:
         const Spectrum power(float(own.area / (cells * cells)));
         std::vector<Light> lights;
         for (uint cell = 0; cell < cells * cells; ++cell)
-            lights.push_back(make_light(EmissiveMesh{{power, {}, 0}, uint(faces.size()) + own.first[cell], own.first[cell + 1] - own.first[cell]}));
+            lights.push_back(
+                make_light(EmissiveMesh{{power, {}, 0, 0}, uint(faces.size()) + own.first[cell], own.first[cell + 1] - own.first[cell]}));
         faces.insert(faces.end(), own.faces.begin(), own.faces.end());
         return lights;
     }

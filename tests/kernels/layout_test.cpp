@@ -29,6 +29,7 @@
 #include "kernels/filters/filter.h"
 #include "kernels/lights/directional.h"
 #include "kernels/lights/emission.h"
+#include "kernels/lights/environment.h"
 #include "kernels/lights/light.h"
 #include "kernels/lights/light_choice.h"
 #include "kernels/lights/point.h"
@@ -108,7 +109,8 @@ const Layouts &host_layouts() {
         RECORD(Light, kind, words),
         RECORD(Group, blocks, nodes, extent),
         RECORD(SceneHeader, world, groups, instances, shading, vertex_normals, vertex_uvs, vertex_colors, emissive_faces, materials, lights,
-               light_choices, emission_chance, textures, background, ambient, background_texture, background_turn),
+               light_choices, emission_chance, textures, environment_rows, environment_cells, environment_columns, environment_density, background,
+               ambient, background_texture, background_turn),
         RECORD(Transform, x, y, z, origin),
         RECORD(Instance, to_world, to_group, group, material, spare),
         RECORD(InstanceBlock, primitive, low, high),
@@ -142,15 +144,18 @@ const Layouts &host_layouts() {
         RECORD(PointLight, position, intensity, attenuation),
         RECORD(DirectionalLight, direction, irradiance),
         RECORD(SpotLight, position, direction, intensity, attenuation, edge, steepness),
-        RECORD(Stratum, salt, rows, column_and_row),
-        RECORD(Emission, power, stratum, instance),
+        RECORD(Stratum, salt, cell),
+        RECORD(Emission, power, stratum, instance, dark),
+        RECORD(Environment, radiance),
+        RECORD(EnvironmentRow, begin, end, high, low),
+        RECORD(EnvironmentCell, begin, end, density),
         RECORD(EmissivePoint, p, normal, error, inverse_density),
         RECORD(EmissiveMesh, emission, first_face, faces),
         RECORD(EmissiveSphere, emission, center, radius),
         RECORD(EmissiveFrustum, emission, center, along, radius, rise),
         RECORD(EmissiveFace, corner, u, v, normal, folded, error, kept, alias, first, last),
         RECORD(LightChoice, kept, alias, inverse_chance, radiance),
-        RECORD(LightSample, direction, ray_direction, distance, irradiance),
+        RECORD(LightSample, direction, ray_direction, distance, irradiance, inverse_density),
         RECORD(Surface, p, error, geometric, normal),
         RECORD(Pattern, uv, color),
         RECORD(SphereBlock, primitive, x, y, z, radius),

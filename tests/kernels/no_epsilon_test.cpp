@@ -73,6 +73,7 @@ const SmallNumber small_numbers[] = {
     {"kernels/lights/emissive_frustum.cl", "0x1p-126f", "the least normal number instead of 0, for a tip of radius 0"},
     {"kernels/lights/emissive_frustum.cl", "0x1p-20f", "error of the point put together from centre, axis and radius: twice that of frustum_surface"},
     {"kernels/lights/emissive_sphere.cl", "0x1p-48f", "the square of half a unit of 1, instead of a horizon whose density is 0"},
+    {"kernels/lights/environment.cl", "0x1p-24f", "the unit of 24 random bits"},
     {"kernels/lights/emissive_sphere.cl", "0x1p-21f", "error of the point put onto the sphere: as in sphere_surface before the correction"},
     {"kernels/primitives/instance.cl", "0x1p-21f", "rounding on the way to the world and back: surface_in_world's comment"},
     {"kernels/primitives/instance.cl", "0x1p-22f", "rounding of the point in the world: the same"},

@@ -42,6 +42,7 @@ std::string scene_of(const std::string &material, const std::string &filter = "b
                      const std::string &integrator = "whitted", const std::string &materials = "") {
     return R"({"film": {"width": 32, "height": 32, "spp": 4, "aovs": ["all"], "filter": ")" + filter +
            R"("}, "camera": {"from": [0, 1, 6], "at": [0, 0, 0], "fov": 40}, "ambient": 0.1,
+        "background": {"image": ")" BRANDUNG_SOURCE_DIR R"(/scene/examples/sun.hdr"},
         "integrator": {"type": ")" +
            integrator + R"(", "shadows": "filtered", "follow": ")" + follow + R"("},
         "materials": [{"name": "m", "type": "whitted", "diffuse": 0.5, "specular": 0.4, "exponent": 20)" +
@@ -152,7 +153,7 @@ TEST(Vectorised, PathsAre16WideWithEveryKindOfMaterial) {
 TEST(Vectorised, TheSceneHasEveryKindOfPrimitiveAndLight) {
     const Folder folder;
     const fs::path file = folder.path() / "scene.json";
-    std::ofstream(file) << scene_of("");
+    std::ofstream(file) << scene_of("", "box", "", "both", "path");
     const brandung::CompiledScene scene = brandung::compile(brandung::read_scene(file.string()));
     EXPECT_EQ(scene.primitives.size(), brandung::primitive_kinds().size());
     EXPECT_EQ(scene.lights.size(), brandung::light_kinds().size());

@@ -40,6 +40,7 @@ BROKEN = {
     "/materials/0/eta": [0],
     "/materials/0/fresnel": [1],
     "/materials/0/priority": [-1, 16777217, 0.5],
+    "/materials/0/emission_side": ["inside", 1],
     "/materials/0/colour": [1],
     "/lights/0/type": [MISSING, "directional", "sun"],
     "/lights/0/intensity": [MISSING, -1],

@@ -62,7 +62,9 @@ void add_case(const PrimitiveOracle &oracle, InputSource &source, EmissiveCases 
     }
     cases.rows.push_back(source.one_in(2) ? 1 : 1 + source.below(8));
     const std::vector<Light> cells = shape->light(cases.rows.back(), cases.lit.faces);
-    append_cells({cells[source.below(uint(cells.size()))]}, Spectrum(1), number, cases.lit.lights);
+    Material shining{};
+    shining.emission = Spectrum(1);
+    append_cells({cells[source.below(uint(cells.size()))]}, shining, number, cases.lit.lights);
     cases.lit.points.push_back(p), cases.lit.branches.push_back(static_cast<uint>(source.bits() >> 32));
 }
 

@@ -122,6 +122,13 @@ TEST(Native, MakesMaterialRecords) {
     EXPECT_EQ(view_of<Whitted>(grey).exponent, 50.0f);
 }
 
+TEST(Native, ReadsWhichSideShines) {
+    const Scene scene = read_text(R"({"materials": [{"name": "a", "type": "whitted", "emission": 1}, {"name": "b", "type": "diffuse", "emission": 1,
+        "emission_side": "front"}, {"name": "c", "type": "plastic", "emission_side": "back"}, {"name": "d", "type": "whitted", "emission_side": "both"}]})");
+    const uint sides = MATERIAL_DARK_FRONT | MATERIAL_DARK_BACK, expected[] = {0, MATERIAL_DARK_BACK, MATERIAL_DARK_FRONT, 0};
+    for (std::size_t m = 0; m < 4; ++m) EXPECT_EQ(scene.materials[m].record.flags & sides, expected[m]) << m;
+}
+
 TEST(Native, MakesLightRecords) {
     const Scene scene = read_text(small_scene);
     ASSERT_EQ(scene.lights.size(), 2u);

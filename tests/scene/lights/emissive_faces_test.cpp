@@ -36,6 +36,15 @@ TEST(EmissiveFaces, OtherNeighboursStayTriangles) {
               2u);
 }
 
+/// Together they would have one front.
+TEST(EmissiveFaces, TrianglesThatFaceOppositeSidesStayTriangles) {
+    const std::vector<vec3> square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const std::vector<EmissiveFace> faces = make_emissive_faces(square, std::vector<uint>{0, 1, 2, 0, 3, 2});
+    ASSERT_EQ(faces.size(), 2u);
+    EXPECT_EQ(faces[0].normal, vec3(0, 0, 1));
+    EXPECT_EQ(faces[1].normal, vec3(0, 0, -1));
+}
+
 /// A grid of squares, in the order of a polygon's triangles, becomes the squares, not what lies across their sides.
 TEST(EmissiveFaces, AGridBecomesItsCells) {
     std::vector<vec3> positions;

@@ -1,0 +1,62 @@
+// The picture all around as a light.
+#pragma once
+#include "kernels/core/math.cl"
+#include "kernels/core/scene.cl"
+#include "kernels/lights/environment.h"
+#include "kernels/lights/light.h"
+#include "kernels/lights/light_random.cl"
+#include "kernels/textures/panorama.cl"
+#include "kernels/textures/texture.cl"
+
+/// What the picture and its scale send from that direction. Scenes without one have a white texel, since lights of other kinds ask too.
+FUNCTION Spectrum environment_radiance(Scene scene, vec3 direction) {
+    const uint number = scene.header->background_texture;
+    const bool known = number != 0u && scene.texels != 0;
+    const TextureRecord record = SCENE_ARRAY(scene, TextureRecord, textures)[known ? number - 1u : 0u], none = {0u, 1u, 1u, 0u};
+    TextureRecord picture;
+    picture.offset = known ? record.offset : none.offset, picture.flags = known ? record.flags : none.flags;
+    picture.width = known ? record.width : none.width, picture.height = known ? record.height : none.height;
+    const global ushort *texels = known ? scene.texels : (const global ushort *)scene.arena;
+    return times(scene.header->background, texture_color(texels, picture, panorama_place(direction, scene.header->background_turn)));
+}
+
+/// Where in [begin, end) a number u lies, in [0, 1]; below its last digit, 2^-24, by chance.
+FUNCTION float place_within(float begin, float end, float u, uint random) {
+    return minimum(fma(unit_interval(random), 0x1p-24f, u - begin) / (end - begin), 1.0f);
+}
+
+/// Uniform in the row's and the cell's solid angle. Rows and columns are searched by halves, in as many steps whatever the picture is.
+FUNCTION LightSample environment_sample(Scene scene, Light l, vec3 p, LightRandom random) {
+    const global EnvironmentRow *rows = SCENE_ARRAY(scene, EnvironmentRow, environment_rows);
+    const uint last_row = max(scene.header->environment_rows.count, 1u) - 1u;
+    uint row = 0u;
+#pragma unroll
+    for (uint step = MAX_ENVIRONMENT_ROWS / 2u; step > 0u; step /= 2u) {
+        const uint next = min(row + step, last_row);
+        row = rows[next].begin <= random.square.x ? next : row;
+    }
+    const EnvironmentRow chosen_row = rows[row];
+
+    const uint columns = max(scene.header->environment_columns, 1u), last_column = columns - 1u;
+    const global EnvironmentCell *cells = SCENE_ARRAY(scene, EnvironmentCell, environment_cells) + row * columns;
+    uint column = 0u;
+#pragma unroll
+    for (uint step = MAX_ENVIRONMENT_COLUMNS / 2u; step > 0u; step /= 2u) {
+        const uint next = min(column + step, last_column);
+        column = cells[next].begin <= random.square.y ? next : column;
+    }
+    const EnvironmentCell cell = cells[column];
+
+    const float down = place_within(chosen_row.begin, chosen_row.end, random.square.x, hash(random.random + 6u));
+    const float right = place_within(cell.begin, cell.end, random.square.y, hash(random.random + 7u));
+    const float cosine = fma(down, chosen_row.low - chosen_row.high, chosen_row.high);
+    const float sine = sqrt(maximum((1.0f - cosine) * (1.0f + cosine), 0.0f));
+    const float turns = ((float)(int)column + right) / (float)(int)columns - 0.5f - scene.header->background_turn;
+    const vec2 azimuth = turn(turns - floor(turns));
+    LightSample sample;
+    sample.direction = sample.ray_direction = make3(sine * azimuth.y, cosine, -sine * azimuth.x);
+    sample.distance = INFINITY;
+    sample.inverse_density = 4.0f * PI / cell.density;
+    sample.irradiance = scaled(environment_radiance(scene, sample.direction), sample.inverse_density);
+    return sample;
+}
