@@ -9,6 +9,7 @@
 #include "scene/aovs/aov.h"
 #include "scene/bsdfs/bsdf.h"
 #include "scene/filters/filter.h"
+#include "scene/kinds.h"
 #include "scene/lights/light.h"
 #include "scene/samplers/sampler.h"
 #include "tools/report_text.h"
@@ -51,9 +52,11 @@ std::vector<Skipped> kinds_not_in_use(const CompiledScene &compiled) {
         if (std::find(compiled.primitives.begin(), compiled.primitives.end(), kind) == compiled.primitives.end())
             skipped.push_back({std::string("primitive ") + kind->name, "the scene has none"});
     if (compiled.instance_count == 0) skipped.push_back({"instances", "the scene has none"});
+    const uint environment = kind_number(light_kinds(), "environment");
     for (uint kind = 0; kind < light_kinds().size(); ++kind)
         if (std::find(compiled.lights.begin(), compiled.lights.end(), kind) == compiled.lights.end())
-            skipped.push_back({std::string("light ") + light_kinds()[kind].name, "the scene has none"});
+            skipped.push_back({std::string("light ") + light_kinds()[kind].name,
+                               kind == environment ? "only paths ask for the light of a picture as background" : "the scene has none"});
     if (!compiled.emissive_instances)
         skipped.push_back(
             {"emissive shapes of instances as lights", compiled.instance_count == 0 ? "the scene has no instances" : "no light is a shape of one"});

@@ -72,7 +72,7 @@ public:
     std::vector<Skipped> skipped() const override {
         std::vector<Skipped> skipped;
         surfaces_.add_skipped(skipped);
-        if (!asked_) skipped.push_back({"trace_shadow_rays", "there are no lights, nor emissive surfaces that light anything"});
+        if (!asked_) skipped.push_back({"trace_shadow_rays", "there are no lights, nor surfaces or pictures all around that light anything"});
         return skipped;
     }
     std::vector<Bias> biases() const override {

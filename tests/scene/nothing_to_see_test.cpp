@@ -52,6 +52,13 @@ TEST_F(NothingToSee, MaterialsThatDoNothingWithLight) {
     EXPECT_EQ(native(nothing, nothing, R"("ambient": 1, "background": 1,)"), blank + " (2:3: /materials/1)");
 }
 
+TEST_F(NothingToSee, ABackgroundLightsByPathsOnly) {
+    const std::string matte = R"("specular": 0.1)";
+    EXPECT_EQ(native(nothing, matte, R"("background": 1, "integrator": {"type": "path"},)"), "");
+    EXPECT_EQ(native(nothing, matte, R"("background": 1,)"), dark + " (1)");
+    EXPECT_EQ(native(nothing, matte, R"("integrator": {"type": "path"},)"), dark + " (1)");
+}
+
 TEST_F(NothingToSee, OneMaterialThatShowsSomethingSuffices) {
     for (const char *some : {R"("specular": 0.1)", R"("emission": [0, 0, 1])"}) EXPECT_EQ(native(nothing, some, lights), "") << some;
     EXPECT_EQ(native(nothing, R"("ambient": 0.1)", R"("ambient": 0.1,)"), "");

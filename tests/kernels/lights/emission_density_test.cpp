@@ -11,6 +11,7 @@
 #include "tests/support/probe.h"
 #include "tests/support/scenes.h"
 #include "tests/support/statistics/chi_square.h"
+#include "tests/support/statistics/means.h"
 #include "tests/support/statistics/significance.h"
 #include "tests/support/traced_scene.h"
 
@@ -32,11 +33,12 @@ public:
         std::vector<Ray> rays;
         std::vector<vec3> directions;  ///< of the points themselves: rays to them end a little off
         std::vector<float> densities;
+        std::vector<float> irradiances;  ///< red, over the chance of the light
     };
     Asked ask() {
         Kernel kernel = kernel_of("ask", R"(
         kernel void ask(SCENE_PARAMS, const global ushort *scene_texels, uint count, float x, float y, float z, global Ray *rays,
-                        global vec3 *directions, global float *densities) {
+                        global vec3 *directions, global float *densities, global float *irradiances) {
             const Scene scene = SCENE_WITH_TEXELS;
             const uint i = get_global_id(0);
             if (i >= count) return;
@@ -50,26 +52,28 @@ public:
             if (!(largest(sample.irradiance) > 0.0f)) rays[i].t_max = -1.0f;
             directions[i] = sample.direction;
             densities[i] = 1.0f / inverse_light_density(chosen, sample);
+            irradiances[i] = sample.irradiance.x * chosen.inverse_chance;
         })");
         const Buffer<Ray> rays(test_device(), kernel.work_items(asked));
         const Buffer<vec3> directions(test_device(), kernel.work_items(asked));
-        const Buffer<float> densities(test_device(), kernel.work_items(asked));
-        kernel(asked, traced_.on_device(), traced_.on_device().texels(), asked, p_.x, p_.y, p_.z, rays, directions, densities);
-        return {rays.read(0, asked), directions.read(0, asked), densities.read(0, asked)};
+        const Buffer<float> densities(test_device(), kernel.work_items(asked)), irradiances(test_device(), kernel.work_items(asked));
+        kernel(asked, traced_.on_device(), traced_.on_device().texels(), asked, p_.x, p_.y, p_.z, rays, directions, densities, irradiances);
+        return {rays.read(0, asked), directions.read(0, asked), densities.read(0, asked), irradiances.read(0, asked)};
     }
 
-    /// Of what rays meet first.
-    std::vector<float> densities(const std::vector<Ray> &rays) {
+    /// What rays meet first: its density (x) and red radiance (y).
+    std::vector<vec2> met(const std::vector<Ray> &rays) {
         const std::vector<Hit> hits = traced_.closest_hits(rays);
-        Kernel kernel = kernel_of("densities", R"(
-        kernel void densities(SCENE_PARAMS, uint count, const global Ray *rays, const global Hit *hits, const global uint *instances,
-                              global float *results) {
-            const Scene scene = SCENE;
+        Kernel kernel = kernel_of("met", R"(
+#include "kernels/lights/environment.cl"
+        kernel void met(SCENE_PARAMS, const global ushort *scene_texels, uint count, const global Ray *rays, const global Hit *hits,
+                        const global uint *instances, global vec2 *results) {
+            const Scene scene = SCENE_WITH_TEXELS;
             const uint i = get_global_id(0);
             if (i >= count) return;
             const Ray ray = rays[i];
             if (hits[i].primitive == NO_HIT) {
-                results[i] = environment_density(scene, ray.direction);
+                results[i].x = environment_density(scene, ray.direction), results[i].y = environment_radiance(scene, ray.direction).x;
                 return;
             }
             const uint instance = instance_at(instances, i);
@@ -79,16 +83,17 @@ public:
             const float cosine = dot3(surface.geometric, ray.direction);
             const Spectrum radiance = emitted(material, cosine > 0.0f ? SURFACE_BACK : 0u);
             const vec3 straight = minus(surface.p, ray.origin);
-            results[i] = emission_density(scene, record, instance, radiance, ray.origin, surface.p, surface.geometric,
-                                          sqrt(dot3(straight, straight)), cosine);
+            results[i].x = emission_density(scene, record, instance, radiance, ray.origin, surface.p, surface.geometric,
+                                            sqrt(dot3(straight, straight)), cosine);
+            results[i].y = radiance.x;
         })");
         const Buffer<Ray> ray_buffer(test_device(), rays);
         const Buffer<Hit> hit_buffer(test_device(), hits);
         std::vector<uint> instances = traced_.instances();
         instances.resize(rays.size());
         const Buffer<uint> instance_buffer(test_device(), instances);
-        const Buffer<float> results(test_device(), kernel.work_items(rays.size()));
-        kernel(rays.size(), traced_.on_device(), uint(rays.size()), ray_buffer, hit_buffer, instance_buffer, results);
+        const Buffer<vec2> results(test_device(), kernel.work_items(rays.size()));
+        kernel(rays.size(), traced_.on_device(), traced_.on_device().texels(), uint(rays.size()), ray_buffer, hit_buffer, instance_buffer, results);
         return results.read(0, rays.size());
     }
 
@@ -168,8 +173,8 @@ const std::vector<Lit> all_lit = {
      [](Scene &scene) {
          scene.materials[1].record.flags |= MATERIAL_DARK_BACK;
          MeshData mesh;
-         append_polygon(scene, mesh, {{-1, -0.5f, 1}, {1, -0.5f, 1.5f}, {1, 1, 1.5f}, {-1, 1, 1}}, {});
-         append_polygon(scene, mesh, {{-1, -0.5f, -1}, {1, -0.5f, -1.5f}, {1, 1, -1.5f}, {-1, 1, -1}}, {});
+         append_polygon(scene, mesh, {{-1, 1, 1}, {1, 1, 1.5f}, {1, -0.5f, 1.5f}, {-1, -0.5f, 1}}, {});
+         append_polygon(scene, mesh, {{-1, 1, -1}, {1, 1, -1.5f}, {1, -0.5f, -1.5f}, {-1, -0.5f, -1}}, {});
          add_triangle_mesh(scene, 1, std::move(mesh));
      }},
 };
@@ -228,10 +233,10 @@ TEST_P(EmissionDensity, IsThatOfTheLightThatIsAsked) {
     LightAt light(lit_scene(GetParam()), {0, 0, 0});
     std::vector<double> expected(rings * sectors + 1);
     const std::vector<Ray> rays = regular_rays({0, 0, 0});
-    const std::vector<float> densities = light.densities(rays);
+    const std::vector<vec2> met = light.met(rays);
     double sum = 0;
     for (uint i = 0; i < regular; ++i) {
-        const double part = double(densities[i]) * 4 * std::numbers::pi / regular * asked;
+        const double part = double(met[i].x) * 4 * std::numbers::pi / regular * asked;
         expected[cell_of(rays[i].direction)] += part, sum += part;
     }
     EXPECT_GT(sum, 0.3 * asked);
@@ -256,15 +261,48 @@ TEST_P(BothDensities, AreThoseOfWhatIsAsked) {
     const std::vector<std::uint8_t> visible = light.visible(chosen.rays);
     std::vector<Ray> onward;
     for (const vec3 direction : chosen.directions) onward.push_back(make_ray({0, 0, 0}, direction));
-    const std::vector<float> met = light.densities(onward);
+    const std::vector<vec2> met = light.met(onward);
     uint seen = 0, off = 0;
     for (uint i = 0; i < asked; ++i) {
         if (visible[i] == 0 || chosen.rays[i].t_max < 0 || std::isinf(chosen.densities[i])) continue;
         ++seen;
-        off += std::abs(met[i] - chosen.densities[i]) > 1e-2f * chosen.densities[i];
+        off += std::abs(met[i].x - chosen.densities[i]) > 1e-2f * chosen.densities[i];
     }
     EXPECT_GT(seen, asked / 4);
     EXPECT_LT(off, seen / 100);
+}
+
+/// Irradiance of a surface that faces z: of what is met in all directions, of what is asked alone, and of both as the power heuristic weighs them
+/// where directions are met with density cosine / pi. What is summed up over steps, a thousandth may be off.
+TEST_P(BothDensities, MakeTheSameLightOfOneWayOrBoth) {
+    LightAt light(lit_scene(GetParam()), {0, 0, 0});
+    const auto weight = [](double own, double other) { return own * own / (own * own + other * other); };
+    const auto by_chance = [](vec3 direction) { return std::max(double(direction.z), 0.0) / std::numbers::pi; };
+
+    const std::vector<Ray> rays = regular_rays({0, 0, 0});
+    const std::vector<vec2> met = light.met(rays);
+    double all = 0, weighted = 0;
+    for (uint i = 0; i < regular; ++i) {
+        const double chance = by_chance(rays[i].direction), part = double(met[i].y) * chance * 4 * std::numbers::pi * std::numbers::pi / regular;
+        all += part;
+        if (part > 0) weighted += part * weight(chance, double(met[i].x));
+    }
+
+    const LightAt::Asked chosen = light.ask();
+    const std::vector<std::uint8_t> visible = light.visible(chosen.rays);
+    std::vector<double> alone(asked), shared(asked);
+    for (uint i = 0; i < asked; ++i) {
+        if (visible[i] == 0 || chosen.rays[i].t_max < 0) continue;
+        const double chance = by_chance(chosen.directions[i]);
+        alone[i] = double(chosen.irradiances[i]) * chance * std::numbers::pi;
+        shared[i] = alone[i] * weight(double(chosen.densities[i]), chance);
+    }
+    const statistics::Estimate expected{all, std::pow(1e-3 * all, 2)}, asked_alone = statistics::estimate_of(alone);
+    statistics::Estimate both = statistics::estimate_of(shared);
+    both.mean += weighted;
+    EXPECT_TRUE(statistics::plausible({statistics::p_of_difference(asked_alone, expected), statistics::p_of_difference(both, expected)}))
+        << asked_alone.mean << " asked alone, " << both.mean << " both ways, instead of " << all;
+    EXPECT_LT(std::sqrt(asked_alone.variance), 0.01 * all) << "the test can tell";
 }
 
 INSTANTIATE_TEST_SUITE_P(Kernels, EmissionDensity, testing::ValuesIn(all_lit), [](const auto &info) { return std::string(info.param.name); });
