@@ -139,8 +139,8 @@ kernel void shade_path(SCENE_PARAMS, uint first_generation, LIVE_PARAMS, const g
             weight = first_generation != 0u ? 1.0f : power_heuristic(density / pdfs[k]);
         }
         const Spectrum met = scaled(where(on_surface, radiance, times(background, tint.diffuse)), weight);
-        const Spectrum emitted = times(met, load(&paths[k].throughput));
+        const Spectrum found = times(met, load(&paths[k].throughput));
         const bool lit = (with_lights != 0u) && visible[i] != 0;
-        contributions[i] = plus(where(largest(met) > 0.0f, emitted, black), where(lit, load(shadow_light + i), black));
+        contributions[i] = plus(where(largest(met) > 0.0f, found, black), where(lit, load(shadow_light + i), black));
     }
 }

@@ -8,16 +8,20 @@
 #include "kernels/textures/panorama.cl"
 #include "kernels/textures/texture.cl"
 
-/// What the picture and its scale send from that direction. Scenes without one have a white texel, since lights of other kinds ask too.
+/// What the picture and its scale send from that direction. Lights of other kinds ask too, in scenes without a table, where directions are no
+/// numbers: then a texel's worth of the arena is read, and does not count.
 FUNCTION Spectrum environment_radiance(Scene scene, vec3 direction) {
-    const uint number = scene.header->background_texture;
-    const bool known = number != 0u && scene.texels != 0;
-    const TextureRecord record = SCENE_ARRAY(scene, TextureRecord, textures)[known ? number - 1u : 0u], none = {0u, 1u, 1u, 0u};
+    const bool known = scene.header->environment_rows.count > 0u;
+    const TextureRecord record = SCENE_ARRAY(scene, TextureRecord, textures)[known ? scene.header->background_texture - 1u : 0u];
     TextureRecord picture;
-    picture.offset = known ? record.offset : none.offset, picture.flags = known ? record.flags : none.flags;
-    picture.width = known ? record.width : none.width, picture.height = known ? record.height : none.height;
+    picture.offset = known ? record.offset : 0u, picture.flags = record.flags;
+    picture.width = known ? record.width : 1u, picture.height = known ? record.height : 1u;
     const global ushort *texels = known ? scene.texels : (const global ushort *)scene.arena;
-    return times(scene.header->background, texture_color(texels, picture, panorama_place(direction, scene.header->background_turn)));
+    const vec2 place = panorama_place(direction, scene.header->background_turn);
+    vec2 uv;
+    uv.x = known ? place.x : 0.5f, uv.y = known ? place.y : 0.5f;
+    const Spectrum color = texture_color(texels, picture, uv), white = make3(1.0f, 1.0f, 1.0f);
+    return times(scene.header->background, where(known, color, white));
 }
 
 /// Where in [begin, end) a number u lies, in [0, 1]; below its last digit, 2^-24, by chance.

@@ -123,8 +123,9 @@ TEST(Native, MakesMaterialRecords) {
 }
 
 TEST(Native, ReadsWhichSideShines) {
-    const Scene scene = read_text(R"({"materials": [{"name": "a", "type": "whitted", "emission": 1}, {"name": "b", "type": "diffuse", "emission": 1,
-        "emission_side": "front"}, {"name": "c", "type": "plastic", "emission_side": "back"}, {"name": "d", "type": "whitted", "emission_side": "both"}]})");
+    const Scene scene = read_text(R"({"camera": {"from": [1, 0, 0], "at": [0, 0, 0]}, "materials": [
+        {"name": "a", "type": "whitted", "emission": 1}, {"name": "b", "type": "diffuse", "emission": 1, "emission_side": "front"},
+        {"name": "c", "type": "plastic", "emission_side": "back"}, {"name": "d", "type": "whitted", "emission_side": "both"}]})");
     const uint sides = MATERIAL_DARK_FRONT | MATERIAL_DARK_BACK, expected[] = {0, MATERIAL_DARK_BACK, MATERIAL_DARK_FRONT, 0};
     for (std::size_t m = 0; m < 4; ++m) EXPECT_EQ(scene.materials[m].record.flags & sides, expected[m]) << m;
 }

@@ -93,7 +93,12 @@ nlohmann::ordered_json random_material(Dice &dice, uint number) {
     material["eta"] = dice.pick({1.5, 1.5, 1.33, 1.0, 0.6, 2.4, 1e-3, 1e3});
     material["fresnel"] = dice.chance(60);
     material["priority"] = dice.below(3);
-    if (shines) material["emission"] = colour(dice, 3);
+    if (shines) {
+        material["emission"] = colour(dice, 3);
+        Dice aside = dice;  // so that the numbers of what follows stay those that they were
+        const char *sides[] = {"both", "both", "front", "back"};
+        material["emission_side"] = sides[aside.below(4)];
+    }
     return material;
 }
 
