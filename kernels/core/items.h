@@ -45,8 +45,8 @@ typedef struct {
 #define SURFACE_BACK 8u        ///< the ray met the side that the geometric normal leads away from
 #define SURFACE_PRIMITIVE(flags) ((flags) >> 4)
 
-// A surface point is three records, so that each stage reads whole ones: the compiler reads consecutive whole records by shuffles, but takes
-// gathers, or finishes each chunk one by one, where a record's end is not used.
+// A surface point is three records, so that each stage reads whole ones: the compiler reads consecutive records by shuffles, but where the first or
+// the last word of one is not used it takes gathers, or computes the last 16 items of every chunk one by one, which halves a stage's speed.
 
 /// Where a ray met the scene, as lights see it; 32 bytes.
 typedef struct {
@@ -58,9 +58,9 @@ typedef struct {
 
 /// What else secondary rays need; 28 bytes.
 typedef struct {
-    vec3 beyond;     ///< the point moved off to the other side
     vec3 geometric;  ///< geometric normal on the side where light falls, unit length
     float eta;       ///< index of refraction on the side of `wo` over that beyond
+    vec3 beyond;     ///< the point moved off to the other side
 } SurfaceInterface;
 
 /// By what textures and vertices' colours multiply the reflectances at a hit; after a miss, `diffuse` multiplies the background; 24 bytes.

@@ -35,7 +35,7 @@ FUNCTION SurfacePoint load(const global SurfacePoint *p) {
 
 FUNCTION SurfaceInterface load(const global SurfaceInterface *p) {
     SurfaceInterface interface;
-    interface.beyond = load(&p->beyond), interface.geometric = load(&p->geometric), interface.eta = p->eta;
+    interface.geometric = load(&p->geometric), interface.eta = p->eta, interface.beyond = load(&p->beyond);
     return interface;
 }
 

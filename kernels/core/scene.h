@@ -23,6 +23,7 @@ typedef struct {
 #define MATERIAL_HIGHLIGHT 16u     ///< as a highlight too
 #define MATERIAL_DARK_FRONT 32u    ///< its emission leaves only the side that the geometric normal leads away from,
 #define MATERIAL_DARK_BACK 64u     ///< or only the other one
+#define MATERIAL_SHINES 128u       ///< its emission is not black
 
 /// A surface's material; 128 bytes. `words` is the kind's own.
 typedef struct {

@@ -109,38 +109,45 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
     }
 }
 
-/// contributions[i]: what ray i adds to its sample by what shines where it ends, weighted against the light that its origin has asked, whose
-/// direction the surface there chose with density pdfs[k]; and by the light that its own surface asks, as far as visible[i] says.
+/// What ray k, that of item i, carries of what shines where it ends. It is weighted against the light that its origin has asked, where the surface
+/// there chose the ray's direction with density pdfs[k].
+FUNCTION Spectrum met_light(Scene scene, uint first_generation, Ray ray, float pdf, uint instance, SurfacePoint surface, SurfaceInterface interface,
+                            vec3 wo, Tints tint) {
+    const bool asked = LIGHTS && first_generation == 0u;
+    if ((surface.flags & SURFACE_HIT) == 0u) {
+        const Spectrum radiance = times(scene.header->background, tint.diffuse);
+        return asked ? scaled(radiance, power_heuristic(environment_density(scene, negate(wo)) / pdf)) : radiance;
+    }
+    const Spectrum radiance = emitted(SCENE_ARRAY(scene, Material, materials) + surface.material, surface.flags);
+    if (!asked) return radiance;
+    const global ShadingRecord *record = SCENE_ARRAY(scene, ShadingRecord, shading) + SURFACE_PRIMITIVE(surface.flags);
+    const vec3 straight = minus(surface.origin, ray.origin);
+    const float density = emission_density(scene, record, instance, radiance, ray.origin, surface.origin, interface.geometric,
+                                           sqrt(dot3(straight, straight)), dot3(interface.geometric, wo));
+    return scaled(radiance, power_heuristic(density / pdf));
+}
+
+/// contributions[i]: what ray i adds to its sample by the light that the surface where it ends asks, as far as visible[i] says; and, of few rays, by
+/// what shines there.
 kernel void shade_path(SCENE_PARAMS, uint first_generation, LIVE_PARAMS, const global Ray *restrict rays, const global Path *restrict paths,
-                       const global float *restrict pdfs, const global Hit *restrict hits, const global uint *restrict instances,
-                       const global SurfacePoint *restrict points, const global SurfaceInterface *restrict interfaces,
-                       const global vec3 *restrict directions, const global Tints *restrict tints, uint with_lights,
-                       const global uchar *restrict visible, const global Spectrum *restrict shadow_light, global Spectrum *restrict contributions) {
+                       const global float *restrict pdfs, const global uint *restrict instances, const global SurfacePoint *restrict points,
+                       const global SurfaceInterface *restrict interfaces, const global vec3 *restrict directions, const global Tints *restrict tints,
+                       uint with_lights, const global uchar *restrict visible, const global Spectrum *restrict shadow_light,
+                       global Spectrum *restrict contributions) {
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
-    const global ShadingRecord *records = SCENE_ARRAY(scene, ShadingRecord, shading);
-    const global uint *list = live + first;
-    const Spectrum background = scene.header->background, black = make3(0.0f, 0.0f, 0.0f);
-    FOR_EACH_ITEM(i, count) {
-        const uint k = list[i];
-        const SurfacePoint surface = load(points + i);
-        const Tints tint = tints_at(tints, i);
-        const bool on_surface = (surface.flags & SURFACE_HIT) != 0u;
-        const Spectrum radiance = emitted(materials + surface.material, surface.flags);
-        float weight = 1.0f;
-        if (LIGHTS) {
-            const uint primitive = on_surface ? SURFACE_PRIMITIVE(surface.flags) : 0u;
-            const vec3 from = load(&rays[k].origin), geometric = load(&interfaces[i].geometric);
-            const vec3 straight = minus(surface.origin, from);
-            const float distance = sqrt(dot3(straight, straight)), cosine = dot3(geometric, load(directions + i));
-            const float by_emission =
-                emission_density(scene, records + primitive, instance_at(instances, i), radiance, from, surface.origin, geometric, distance, cosine);
-            const float density = on_surface ? by_emission : environment_density(scene, negate(load(directions + i)));
-            weight = first_generation != 0u ? 1.0f : power_heuristic(density / pdfs[k]);
+    const Spectrum black = make3(0.0f, 0.0f, 0.0f);
+    {
+        FOR_EACH_ITEM(i, count) {
+            const bool lit = (with_lights != 0u) && visible[i] != 0;
+            contributions[i] = where(lit, load(shadow_light + i), black);
         }
-        const Spectrum met = scaled(where(on_surface, radiance, times(background, tint.diffuse)), weight);
-        const Spectrum found = times(met, load(&paths[k].throughput));
-        const bool lit = (with_lights != 0u) && visible[i] != 0;
-        contributions[i] = plus(where(largest(met) > 0.0f, found, black), where(lit, load(shadow_light + i), black));
+    }
+    FOR_EACH_ITEM_SERIALLY(i, count) {
+        if ((points[i].flags & SURFACE_HIT) != 0u && (materials[points[i].material].flags & MATERIAL_SHINES) == 0u) continue;
+        const uint k = live[first + i];
+        const Spectrum met = met_light(scene, first_generation, rays[k], pdfs[k], instance_at(instances, i), points[i], interfaces[i], directions[i],
+                                       tints_at(tints, i));
+        if (largest(met) > 0.0f) contributions[i] = plus(times(met, paths[k].throughput), contributions[i]);
     }
 }

@@ -18,7 +18,7 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
         const uint k = list[i];
         const Ray ray = load(rays + k);
         const Hit hit = load(hits + i);
-        const bool on_surface = hit.primitive != NO_HIT;
+        const bool on_surface = (hit.primitive != NO_HIT) & (hit.t >= 0.0f);  // reads the whole record: see SurfacePoint
         const global ShadingRecord *record = records + (on_surface ? hit.primitive : 0u);
         const uint instance = instance_at(instances, i);
         const Surface surface = surface_in_world(scene, instance, primitive_surface(scene, record, ray_in_group(scene, instance, ray), hit));

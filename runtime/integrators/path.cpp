@@ -102,10 +102,9 @@ private:
 
     void shade(const Wave &wave) {
         const bool lit = asked_.has_value();
-        shade_(wave.count, scene_, uint{wave.generation == 0}, wave, wave.level.rays, wave.level.paths, wave.level.pdfs, surfaces_.hits,
-               surfaces_.hit_instances, surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.tints(),
-               uint{lit && wave.children != nullptr}, lit ? asked_->shadows.visible : surfaces_.no_bytes, lit ? asked_->light : no_spectra_,
-               contributions_);
+        shade_(wave.count, scene_, uint{wave.generation == 0}, wave, wave.level.rays, wave.level.paths, wave.level.pdfs, surfaces_.hit_instances,
+               surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.tints(), uint{lit && wave.children != nullptr},
+               lit ? asked_->shadows.visible : surfaces_.no_bytes, lit ? asked_->light : no_spectra_, contributions_);
     }
 
     const DeviceScene &scene_;

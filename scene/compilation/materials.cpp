@@ -43,7 +43,8 @@ void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     const std::vector<bool> used = materials_in_use(scene);
     std::vector<Material> materials, used_materials;
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-        const Material &material = materials.emplace_back(scene.materials[m].record);
+        Material &material = materials.emplace_back(scene.materials[m].record);
+        if (material.emission != Spectrum(0)) material.flags |= MATERIAL_SHINES;
         if (!used[m]) continue;
         used_materials.push_back(material);
         compiled.reflects |= (material.flags & MATERIAL_REFLECTS) != 0;

@@ -85,7 +85,7 @@ const Layouts &host_layouts() {
         RECORD(Hit, t, u, v, primitive),
         RECORD(Path, throughput, slot, branch, depth),
         RECORD(SurfacePoint, origin, material, normal, flags),
-        RECORD(SurfaceInterface, beyond, geometric, eta),
+        RECORD(SurfaceInterface, geometric, eta, beyond),
         RECORD(Tints, diffuse, specular),
         RECORD(TextureRecord, offset, width, height, flags),
         RECORD(HitDescription, p, error, geometric, normal, cosine, cosine_squared_beyond, emission, ambient),
