@@ -27,3 +27,7 @@ FUNCTION real difference_of_products(real a, real b, real c, real d) {
     const real ab = a * b, cd = c * d;
     return (ab - cd) + (fma(a, b, -ab) - fma(c, d, -cd));
 }
+
+FUNCTION real3 cross3(real3 a, real3 b) {
+    return make3(difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z), difference_of_products(a.x, b.y, a.y, b.x));
+}

@@ -16,5 +16,15 @@ FUNCTION vec3 cosine_hemisphere(vec2 u) {
     return make3(p.x, p.y, sqrt(maximum(1.0f - u.x, 0.0f)));
 }
 
+/// The square is folded onto the triangle, so that neighbours stay neighbours (Heitz, A Low-Distortion Map Between Triangle and Square, 2019).
+FUNCTION vec2 triangle_of_square(vec2 square) {
+    const bool above = square.y > square.x;
+    const float half_x = 0.5f * square.x, half_y = 0.5f * square.y;
+    vec2 point;
+    point.x = above ? half_x : square.x - half_y;
+    point.y = above ? square.y - half_x : half_y;
+    return point;
+}
+
 /// Cosine of the angle to an axis, of directions around it with density (n + 1) / 2π cosine^n.
 FUNCTION float power_cosine(float u, float exponent) { return power(1.0f - u, 1.0f / (exponent + 1.0f)); }

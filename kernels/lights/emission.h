@@ -44,6 +44,14 @@ typedef struct {
     float radius, rise;
 } EmissiveFrustum;
 
+/// A triangle or parallelogram of a mesh, as a light of its own for paths, which choose among faces as among lights; uniform by area.
+typedef struct {
+    Spectrum power;     ///< radiance times area
+    uint folded;        ///< 1 for a triangle, else 0
+    vec3 corner, u, v;  ///< as of EmissiveFace
+    uint instance, dark;
+} EmissiveFlat;
+
 /// A part of a triangle or parallelogram of a mesh, and its entry in the cell's table of aliases (Walker 1977; Vose 1991). 72 bytes.
 typedef struct {
     vec3 corner, u, v;  ///< points corner + s u + t v, s and t in [0, 1]; of a triangle, s + t <= 1 too

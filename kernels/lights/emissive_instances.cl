@@ -14,10 +14,6 @@ FUNCTION vec3 lit_point_in_group(Scene scene, uint instance, vec3 p) {
     return where(instance != 0u, transformed_point(&placed->to_group, p), p);
 }
 
-FUNCTION vec3 cross3(vec3 a, vec3 b) {
-    return make3(difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z), difference_of_products(a.x, b.y, a.y, b.x));
-}
-
 /// By M's cofactors, det(M) M⁻ᵀ, which take a normal times an area to the world (with the other sign where M mirrors).
 FUNCTION vec3 area_in_world(const global Transform *m, vec3 n) {
     const vec3 x = load(&m->x), y = load(&m->y), z = load(&m->z);

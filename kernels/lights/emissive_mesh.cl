@@ -2,6 +2,7 @@
 #pragma once
 #include "kernels/core/load.cl"
 #include "kernels/core/scene.cl"
+#include "kernels/core/warp.cl"
 #include "kernels/lights/emission.cl"
 #include "kernels/lights/stratum.cl"
 
@@ -38,16 +39,6 @@ FUNCTION vec2 curve_point(const global EmissiveFace *face, LightRandom random) {
     vec2 point;
     point.x = ((float)(int)even_bits(place) + unit_interval(hash(random.random + 4u))) * 0x1p-16f;
     point.y = ((float)(int)even_bits(place >> 1) + unit_interval(hash(random.random + 5u))) * 0x1p-16f;
-    return point;
-}
-
-/// The square is folded onto the triangle, so that neighbours stay neighbours (Heitz, A Low-Distortion Map Between Triangle and Square, 2019).
-FUNCTION vec2 triangle_of_square(vec2 square) {
-    const bool above = square.y > square.x;
-    const float half_x = 0.5f * square.x, half_y = 0.5f * square.y;
-    vec2 point;
-    point.x = above ? half_x : square.x - half_y;
-    point.y = above ? square.y - half_x : half_y;
     return point;
 }
 

@@ -9,6 +9,7 @@ Light read_spot(const Parameters &parameters);
 Spectrum power_of_point(const Light &light, float extent);
 Spectrum power_of_directional(const Light &light, float extent);
 Spectrum power_of_spot(const Light &light, float extent);
+Spectrum power_of_emissive_flat(const Light &light, float extent);
 Spectrum power_of_emissive_mesh(const Light &light, float extent);
 Spectrum power_of_emissive_sphere(const Light &light, float extent);
 Spectrum power_of_emissive_frustum(const Light &light, float extent);
@@ -23,6 +24,7 @@ const std::vector<LightKind> &light_kinds() {
         {"emissive_sphere", "EmissiveSphere", power_of_emissive_sphere, false, nullptr},
         {"emissive_frustum", "EmissiveFrustum", power_of_emissive_frustum, false, nullptr},
         {"environment", "Environment", power_of_environment, true, nullptr},
+        {"emissive_flat", "EmissiveFlat", power_of_emissive_flat, false, nullptr},
     };
     return kinds;
 }

@@ -68,6 +68,9 @@ public:
     /// choose from, are appended.
     virtual std::vector<Light> light(uint cells, std::vector<EmissiveFace> &faces) const = 0;
 
+    /// The same for what chooses among lights: each of its flat faces is one, of radiance 1. None where it is not made of flat faces.
+    virtual std::vector<Light> flat_lights() const { return {}; }
+
     uint material;            ///< index into Scene::materials
     uint object = NO_OBJECT;  ///< its number among the objects of the scene file, or of the file's group
 };

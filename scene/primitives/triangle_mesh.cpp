@@ -85,6 +85,13 @@ public:
         return lights;
     }
 
+    std::vector<Light> flat_lights() const override {
+        std::vector<Light> lights;
+        for (const EmissiveFace &face : make_emissive_faces(mesh_.positions, mesh_.indices))
+            lights.push_back(make_light(EmissiveFlat{Spectrum(float(area_of(face))), uint(face.folded), face.corner, face.u, face.v, 0, 0}));
+        return lights;
+    }
+
 private:
     const vec3 &position(std::size_t i, uint k) const { return mesh_.positions[mesh_.indices[3 * i + k]]; }
     const vec3 &normal(std::size_t i, uint k) const { return mesh_.normals[mesh_.indices[3 * i + k]]; }

@@ -153,6 +153,7 @@ const Layouts &host_layouts() {
         RECORD(EmissiveMesh, emission, first_face, faces),
         RECORD(EmissiveSphere, emission, center, radius),
         RECORD(EmissiveFrustum, emission, center, along, radius, rise),
+        RECORD(EmissiveFlat, power, folded, corner, u, v, instance, dark),
         RECORD(EmissiveFace, corner, u, v, normal, folded, error, kept, alias, first, last),
         RECORD(LightChoice, kept, alias, inverse_chance, radiance),
         RECORD(LightSample, direction, ray_direction, distance, irradiance, inverse_density),

@@ -1,6 +1,7 @@
 // Every kind, for lint and editors.
 #pragma once
 #include "kernels/lights/directional.cl"
+#include "kernels/lights/emissive_flat.cl"
 #include "kernels/lights/emissive_frustum.cl"
 #include "kernels/lights/emissive_mesh.cl"
 #include "kernels/lights/emissive_sphere.cl"
@@ -11,4 +12,5 @@
     X(0, PointLight, point)             \
     X(1, DirectionalLight, directional) \
     X(2, SpotLight, spot)               \
-    X(3, EmissiveMesh, emissive_mesh) X(4, EmissiveSphere, emissive_sphere) X(5, EmissiveFrustum, emissive_frustum) X(6, Environment, environment)
+    X(3, EmissiveMesh, emissive_mesh)   \
+    X(4, EmissiveSphere, emissive_sphere) X(5, EmissiveFrustum, emissive_frustum) X(6, Environment, environment) X(7, EmissiveFlat, emissive_flat)
