@@ -39,8 +39,8 @@ Light make_light(const EmissiveFrustum &light);
 Light make_light(const EmissiveFlat &light);
 /// rows * rows of them, each with its cell of the square from which points of the light are made, and its share of the light.
 std::vector<Light> make_cells(const Light &light, uint rows);
-/// Appends the cells, or flat faces, of an emissive shape, given this material's emission, in an instance or, for 0, in none; their random numbers differ from those
-/// of all lights before.
+/// Appends the cells, or flat faces, of an emissive shape, given this material's emission, in an instance or, for 0, in none; their random numbers
+/// differ from those of all lights before.
 void append_cells(const std::vector<Light> &cells, const Material &material, uint instance, std::vector<Light> &lights);
 /// The cone has the full angle `angle` in (0, 2 pi] [radians]; over the outer part `penumbra` in [0, 1] of half of that the intensity falls to 0.
 void shape_cone(SpotLight &light, double angle, double penumbra);
