@@ -40,4 +40,5 @@ FUNCTION SurfaceInterface load(const global SurfaceInterface *p) {
 }
 
 /// Three words at w as floats.
+FUNCTION vec3 load_floats(const uint *w) { return make3(as_float(w[0]), as_float(w[1]), as_float(w[2])); }
 FUNCTION vec3 load_floats(const global uint *w) { return make3(as_float(w[0]), as_float(w[1]), as_float(w[2])); }

@@ -6,6 +6,7 @@
 #include "generated/tints.cl"
 #include "kernels/bsdfs/emitted.cl"
 #include "kernels/bsdfs/scattering.cl"
+#include "kernels/core/columns.cl"
 #include "kernels/core/frame.cl"
 #include "kernels/core/load.cl"
 #include "kernels/core/params.h"
@@ -33,6 +34,14 @@ FUNCTION Frame frame_of(Sides sides, vec3 wo) { return frame_of(where(dot3(sides
 /// Whether a direction leads to the same side of the surface itself as of the shading normal's plane: `z` is its component along that normal.
 FUNCTION bool on_its_side(Sides sides, vec3 direction, float z) { return dot3(sides.geometric, direction) * z > 0.0f; }
 
+/// What a chunk's paths have chosen.
+typedef struct {
+    uint light[ITEMS_PER_WORK_ITEM];            ///< its row
+    float inverse_chance[ITEMS_PER_WORK_ITEM];  ///< as of ChosenLight
+    float radiance[ITEMS_PER_WORK_ITEM];
+    float lobe[ITEMS_PER_WORK_ITEM];  ///< in [0, 1), of the material
+} ChosenColumns;
+
 /// From live item i: the ray that goes on, in slot base + i, in the medium that it is in then, with the density `child_pdfs` of its direction; and
 /// shadow ray i, with what the light that it asks adds to the sample where it is visible. No ray leaves for a black value.
 kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const global uint *restrict pixels, LIVE_PARAMS,
@@ -49,9 +58,30 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
     global Ray *first_rays = children + base;
     global Path *first_paths = child_paths + base;
     global float *first_pdfs = child_pdfs + base;
+    const Chunk chunk = chunk_of(count);
+    uint numbers[ITEMS_PER_WORK_ITEM];
+    list_numbers(list, chunk, numbers);
+    Columns chunk_paths, chunk_lights;
+    fetch_columns(paths, 6u, numbers, chunk.items, &chunk_paths);
+    ChosenColumns chosen;
+    {
+        FOR_EACH_ITEM(i, count) {
+            const uint c = i - chunk.begin;
+            const Path path = path_of_columns(&chunk_paths, c);
+            const PixelSample which = pixel_sample(path.slot, batch, pixels);
+            const vec2 choices = sampler_pair(which.pixel, which.sample, (path.depth - 1u) * USES_PER_SURFACE + USE_CHOICES, batch);
+            chosen.lobe[c] = choices.x;
+            if (LIGHTS) {
+                const ChosenLight light = light_chosen(scene, choices.y);
+                chosen.light[c] = light.row, chosen.inverse_chance[c] = light.inverse_chance, chosen.radiance[c] = light.radiance;
+            }
+        }
+    }
+    for (uint c = chunk.items; c < ITEMS_PER_WORK_ITEM; ++c) chosen.light[c] = 0u;
+    if (LIGHTS) fetch_columns(SCENE_ARRAY(scene, Light, lights), 16u, chosen.light, chunk.items, &chunk_lights);
     FOR_EACH_ITEM(i, count) {
-        const uint k = list[i];
-        const Path path = load(paths + k);
+        const uint k = list[i], c = i - chunk.begin;
+        const Path path = path_of_columns(&chunk_paths, c);
         const SurfacePoint surface = load(points + i);
         const SurfaceInterface interface = load(interfaces + i);
         const Tints tint = tints_at(tints, i);
@@ -63,7 +93,6 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
         const PixelSample which = pixel_sample(path.slot, batch, pixels);
         const uint uses = (path.depth - 1u) * USES_PER_SURFACE;
         const vec2 direction_pair = sampler_pair(which.pixel, which.sample, uses + USE_DIRECTION, batch);
-        const vec2 choices = sampler_pair(which.pixel, which.sample, uses + USE_CHOICES, batch);
 
         const Sides sides = sides_of(surface, interface);
         const Frame frame = frame_of(sides, wo);
@@ -71,7 +100,7 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
         point.wo = to_frame(frame, wo), point.eta = interface.eta;
         point.diffuse_tint = tint.diffuse, point.specular_tint = tint.specular;
 
-        const BsdfSample next = bsdf_sample(material, point, direction_pair, choices.x);
+        const BsdfSample next = bsdf_sample(material, point, direction_pair, chosen.lobe[c]);
         const vec3 wi = unit(from_frame(frame, next.wi));
         const bool stays = next.wi.z > 0.0f, goes_on = on_surface & on_its_side(sides, wi, next.wi.z);
         // Radiance in a medium of index n has a factor n², which must not count as brightness.
@@ -91,14 +120,12 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
         child_alive[i] = goes_on && survives && largest(child.throughput) > 0.0f;
 
         if (LIGHTS) {
-            const ChosenLight chosen = light_chosen(scene, choices.y);
-            const Light light = SCENE_ARRAY(scene, Light, lights)[chosen.row];
             const vec2 square = sampler_pair(which.pixel, which.sample, uses + USE_LIGHT, batch);
-            const LightSample sample = light_sample(scene, light, surface.origin, light_random(square, path.branch));
+            const LightSample sample = light_sample(scene, light_of_columns(&chunk_lights, c), surface.origin, light_random(square, path.branch));
             const vec3 towards = to_frame(frame, sample.direction);
             const BsdfValue value = bsdf_eval(material, point, towards);
-            const float weight = power_heuristic(value.pdf * inverse_light_density(chosen, sample));
-            const Spectrum received = scaled(times(value.value, sample.irradiance), chosen.inverse_chance * weight);
+            const float weight = power_heuristic(value.pdf * inverse_light_density(sample, chosen.radiance[c], chosen.inverse_chance[c]));
+            const Spectrum received = scaled(times(value.value, sample.irradiance), chosen.inverse_chance[c] * weight);
             const Spectrum added = times(path.throughput, received);
             const vec3 origin = where(towards.z > 0.0f, sides.near, sides.far);
             shadow_rays[i] = ray_to_light(origin, sample.ray_direction, sample.distance, primitive);
@@ -120,7 +147,7 @@ FUNCTION Spectrum met_light(Scene scene, uint first_generation, Ray ray, float p
     }
     const Spectrum radiance = emitted(SCENE_ARRAY(scene, Material, materials) + surface.material, surface.flags);
     if (!asked) return radiance;
-    const global ShadingRecord *record = SCENE_ARRAY(scene, ShadingRecord, shading) + SURFACE_PRIMITIVE(surface.flags);
+    const ShadingRecord record = SCENE_ARRAY(scene, ShadingRecord, shading)[SURFACE_PRIMITIVE(surface.flags)];
     const vec3 straight = minus(surface.origin, ray.origin);
     const float density = emission_density(scene, record, instance, radiance, ray.origin, surface.origin, interface.geometric,
                                            sqrt(dot3(straight, straight)), dot3(interface.geometric, wo));

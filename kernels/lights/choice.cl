@@ -30,14 +30,14 @@ FUNCTION ChosenLight light_chosen(Scene scene, float u) {
 FUNCTION float mean_of(Spectrum s) { return (s.x + s.y + s.z) * (1.0f / 3.0f); }
 
 /// Over the density with which a path chooses the direction of this sample of the light [sr]; 0 for a light that shines from one point or direction.
-FUNCTION float inverse_light_density(ChosenLight chosen, LightSample sample) {
-    return (sample.inverse_density + mean_of(sample.irradiance) / chosen.radiance) * chosen.inverse_chance;
+FUNCTION float inverse_light_density(LightSample sample, float radiance, float inverse_chance) {
+    return (sample.inverse_density + mean_of(sample.irradiance) / radiance) * inverse_chance;
 }
 
 /// The density with which a path at `from` would have chosen, as a point of a light, what its ray met at p, `distance` away [1/sr]: with the unit
 /// normal there, on a primitive of this radiance, in that instance. 0 where emissive shapes are not asked.
-FUNCTION float emission_density(Scene scene, const global ShadingRecord *record, uint instance, Spectrum radiance, vec3 from, vec3 p, vec3 normal,
-                                float distance, float cosine) {
+FUNCTION float emission_density(Scene scene, ShadingRecord record, uint instance, Spectrum radiance, vec3 from, vec3 p, vec3 normal, float distance,
+                                float cosine) {
     const float by_area = mean_of(radiance) * scene.header->emission_chance * emissive_area_in_group(scene, instance, normal);
     const vec3 from_in_group = lit_point_in_group(scene, instance, from), p_in_group = lit_point_in_group(scene, instance, p);
     return by_area * primitive_emission_factor(record, from_in_group, p_in_group) * distance * distance / fabs(cosine);

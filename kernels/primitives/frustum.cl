@@ -8,13 +8,13 @@
 #include "kernels/primitives/frustum.h"
 #include "kernels/primitives/surface.h"
 
-FUNCTION FrustumShading frustum_view(const global ShadingRecord *record) {
+FUNCTION FrustumShading frustum_view(ShadingRecord record) {
     FrustumShading frustum;
-    frustum.center = load_floats(record->words);
-    frustum.axis = load_floats(record->words + 3);
-    frustum.radius = as_float(record->words[6]);
-    frustum.slope = as_float(record->words[7]);
-    frustum.half_length = as_float(record->words[8]);
+    frustum.center = load_floats(record.words);
+    frustum.axis = load_floats(record.words + 3);
+    frustum.radius = as_float(record.words[6]);
+    frustum.slope = as_float(record.words[7]);
+    frustum.half_length = as_float(record.words[8]);
     return frustum;
 }
 
@@ -25,12 +25,12 @@ FUNCTION vec3 frustum_across(vec3 axis) {
 }
 
 /// Points of it as a light are uniform by area.
-FUNCTION float frustum_emission_factor(const global ShadingRecord *record, vec3 from, vec3 p) { return 1.0f; }
+FUNCTION float frustum_emission_factor(ShadingRecord record, vec3 from, vec3 p) { return 1.0f; }
 
 /// The point is put back onto the surface, so that its error does not grow with the ray's length: between the ends too, since beyond a tip is none.
 /// Near the axis the way outward is what rounding leaves of f; made perpendicular once more, it is so to the last digits. Where it leaves nothing, at
 /// the tip or seen from so far that all of the frustum is one place, any way outward will do.
-FUNCTION Surface frustum_surface(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
+FUNCTION Surface frustum_surface(Scene scene, ShadingRecord record, Ray ray, Hit hit) {
     const FrustumShading frustum = frustum_view(record);
     const vec3 f = plus(minus(ray.origin, frustum.center), scaled(ray.direction, hit.t));
     const float z = dot3(f, frustum.axis);
@@ -49,7 +49,7 @@ FUNCTION Surface frustum_surface(Scene scene, const global ShadingRecord *record
 }
 
 /// v grows from the base, 0, to the apex, 1; u runs around the axis, counterclockwise as seen from the apex.
-FUNCTION Pattern frustum_pattern(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
+FUNCTION Pattern frustum_pattern(Scene scene, ShadingRecord record, Ray ray, Hit hit) {
     const FrustumShading frustum = frustum_view(record);
     const vec3 f = plus(minus(ray.origin, frustum.center), scaled(ray.direction, hit.t)), axis = frustum.axis;
     const vec3 x = unit(frustum_across(axis));

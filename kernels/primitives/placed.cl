@@ -6,7 +6,7 @@
 #include "kernels/primitives/primitive.cl"
 
 FUNCTION Surface surface_of(Scene scene, Ray ray, PlacedHit hit) {
-    const global ShadingRecord *record = SCENE_ARRAY(scene, ShadingRecord, shading) + hit.hit.primitive;
+    const ShadingRecord record = SCENE_ARRAY(scene, ShadingRecord, shading)[hit.hit.primitive];
     const Ray inner = ray_in_group(scene, instance_of(hit), ray);
     return surface_in_world(scene, instance_of(hit), primitive_surface_serially(scene, record, inner, hit.hit));
 }

@@ -12,16 +12,16 @@
 #include "kernels/primitives/sphere_offset.cl"
 #undef SPHERE
 
-FUNCTION SphereShading sphere_view(const global ShadingRecord *record) {
+FUNCTION SphereShading sphere_view(ShadingRecord record) {
     SphereShading sphere;
-    sphere.center = load_floats(record->words);
-    sphere.radius = as_float(record->words[3]);
+    sphere.center = load_floats(record.words);
+    sphere.radius = as_float(record.words[3]);
     return sphere;
 }
 
 /// The point is put back onto the sphere, so that its error does not grow with the ray's length; the second time with twice the digits, so that
 /// what is left is its own rounding, however large the sphere is.
-FUNCTION Surface sphere_surface(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
+FUNCTION Surface sphere_surface(Scene scene, ShadingRecord record, Ray ray, Hit hit) {
     const SphereShading sphere = sphere_view(record);
     const float radius = fabs(sphere.radius);
     Surface surface;
@@ -37,7 +37,7 @@ FUNCTION Surface sphere_surface(Scene scene, const global ShadingRecord *record,
 }
 
 /// As a light: see emissive_sphere_sample, with the same decision whether `from` is outside.
-FUNCTION float sphere_emission_factor(const global ShadingRecord *record, vec3 from, vec3 p) {
+FUNCTION float sphere_emission_factor(ShadingRecord record, vec3 from, vec3 p) {
     const SphereShading sphere = sphere_view(record);
     const float radius = fabs(sphere.radius);
     const vec3 f = minus(from, sphere.center), q = minus(p, sphere.center);
@@ -48,7 +48,7 @@ FUNCTION float sphere_emission_factor(const global ShadingRecord *record, vec3 f
 }
 
 /// The y axis leads to the pole at v = 1; u = 1/2 faces the z axis and grows towards the x axis.
-FUNCTION Pattern sphere_pattern(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
+FUNCTION Pattern sphere_pattern(Scene scene, ShadingRecord record, Ray ray, Hit hit) {
     const vec3 f = plus(minus(ray.origin, sphere_view(record).center), scaled(ray.direction, hit.t));
     Pattern pattern = {{0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}};
     pattern.uv.x = 0.5f + INVERSE_TWO_PI * arctangent(f.x, f.z);

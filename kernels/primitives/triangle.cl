@@ -10,17 +10,17 @@
 #include "kernels/primitives/triangle_plane.cl"
 #undef TRIANGLE
 
-FUNCTION TriangleShading triangle_view(const global ShadingRecord *record) {
+FUNCTION TriangleShading triangle_view(ShadingRecord record) {
     TriangleShading triangle;
-    triangle.a = load_floats(record->words);
-    triangle.b = load_floats(record->words + 3);
-    triangle.c = load_floats(record->words + 6);
+    triangle.a = load_floats(record.words);
+    triangle.b = load_floats(record.words + 3);
+    triangle.c = load_floats(record.words + 6);
     return triangle;
 }
 
 /// The point as a weighted mean of the vertices, whose error does not grow with the ray's length (Pharr et al., PBR 4ed, 6.8.5), is put onto the
 /// plane with twice the digits: what is left is its own rounding, however large the triangle is.
-FUNCTION Surface triangle_surface(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
+FUNCTION Surface triangle_surface(Scene scene, ShadingRecord record, Ray ray, Hit hit) {
     const TriangleShading triangle = triangle_view(record);
     const vec3 a = scaled(triangle.a, 1.0f - hit.u - hit.v), b = scaled(triangle.b, hit.u), c = scaled(triangle.c, hit.v);
     const vec3 mean = plus(a, plus(b, c));
@@ -37,11 +37,11 @@ FUNCTION Surface triangle_surface(Scene scene, const global ShadingRecord *recor
 }
 
 /// Points of it as a light are uniform by area.
-FUNCTION float triangle_emission_factor(const global ShadingRecord *record, vec3 from, vec3 p) { return 1.0f; }
+FUNCTION float triangle_emission_factor(ShadingRecord record, vec3 from, vec3 p) { return 1.0f; }
 
 /// Both are interpolated between the vertices.
-FUNCTION Pattern triangle_pattern(Scene scene, const global ShadingRecord *record, Ray ray, Hit hit) {
-    const uint uvs = record->words[9], colors = record->words[10];
+FUNCTION Pattern triangle_pattern(Scene scene, ShadingRecord record, Ray ray, Hit hit) {
+    const uint uvs = record.words[9], colors = record.words[10];
     const float w = 1.0f - hit.u - hit.v;
     Pattern pattern = {{0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}};
     if (uvs != 0u) {

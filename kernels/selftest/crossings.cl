@@ -19,8 +19,8 @@ kernel void test_crossings(SCENE_PARAMS, const global Block *restrict blocks, co
         result.t = crossing.t, result.u = crossing.u, result.v = crossing.v, result.hit = crossing.hit != 0;
         if (result.hit) {
             const Hit hit = hit_of(crossing, i);
-            result.surface = NAME(surface)(scene, records + i, ray, hit);
-            result.uv = NAME(pattern)(scene, records + i, ray, hit).uv;
+            result.surface = NAME(surface)(scene, records[i], ray, hit);
+            result.uv = NAME(pattern)(scene, records[i], ray, hit).uv;
             if (IS_FLAT) result.uv.x = hit.u, result.uv.y = hit.v;
         }
         results[i] = result;

@@ -18,7 +18,7 @@ kernel void test_spawned_rays(SCENE_PARAMS, const global Block *restrict blocks,
         const Crossing first = cross_one(blocks, i, rays[i], extents[i]);
         results[i].first_hit = first.hit != 0;
         if (!first.hit) continue;
-        const Surface surface = NAME(surface)(scene, records + i, rays[i], hit_of(first, i));
+        const Surface surface = NAME(surface)(scene, records[i], rays[i], hit_of(first, i));
         const float side = dot3(surface.geometric, directions[i]) < 0.0f ? -1.0f : 1.0f;
         const vec3 offset = scaled(surface.geometric, side * dot3(absolute(surface.geometric), surface.error));
         const Ray next = ray_spawn(spawn_origin(surface.p, offset), directions[i], RAY_REFLECTED, NO_HIT);

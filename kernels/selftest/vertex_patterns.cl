@@ -10,6 +10,6 @@ kernel void test_vertex_patterns(SCENE_PARAMS, const global ShadingRecord *restr
     FOR_EACH_ITEM_SERIALLY(i, count) {
         const Ray ray = {{0.0f, 0.0f, 0.0f}, 0.0f, {0.0f, 0.0f, 0.0f}, 0u};  // of no matter
         const Hit hit = {0.0f, weights[i].x, weights[i].y, i};
-        patterns[i] = triangle_pattern(scene, records + i, ray, hit);
+        patterns[i] = triangle_pattern(scene, records[i], ray, hit);
     }
 }

@@ -5,10 +5,11 @@
 #include "kernels/core/items.cl"
 #include "kernels/core/lanes_1.cl"
 #include "kernels/core/load.cl"
+#include "kernels/core/math.cl"
 #include "kernels/core/scene.cl"
 
 /// In units of 2^-32, to the nearest. Magnitudes are cut at 2^17: an int64 holds them, and add_samples cuts, and counts, beyond 2^16.
-FUNCTION int64 fixed_point(float x) { return (int64)rint(minimum(maximum(x, -0x1p17f), 0x1p17f) * 0x1p32f); }
+FUNCTION int64 fixed_point(float x) { return (int64)nearest_integer(minimum(maximum(x, -0x1p17f), 0x1p17f) * 0x1p32f); }
 
 /// Two items may have one sample only where rays branch.
 FUNCTION void add_contribution(global Integer128 *sum, int64 contribution) {
@@ -22,7 +23,7 @@ FUNCTION void add_contribution(global Integer128 *sum, int64 contribution) {
 /// Columns of a chunk.
 typedef struct {
     int64 contribution[3][ITEMS_PER_WORK_ITEM];
-    uchar finite[ITEMS_PER_WORK_ITEM], lit[ITEMS_PER_WORK_ITEM];
+    uint finite[ITEMS_PER_WORK_ITEM], lit[ITEMS_PER_WORK_ITEM];
 } AccumulateColumns;
 
 /// Adds contributions[i] to the sample of path live[first + i]. refused[0] counts what is not finite.
@@ -32,13 +33,13 @@ kernel void accumulate(LIVE_PARAMS, const global Path *restrict paths, const glo
     const uint begin = get_global_id(0) * ITEMS_PER_WORK_ITEM;
     {
         FOR_EACH_ITEM(i, count) {
-            const Spectrum contribution = load(contributions + i);
+            const Spectrum contribution = load(contributions + i), size = absolute(contribution);
             const uint c = i - begin;
             columns.contribution[0][c] = fixed_point(contribution.x);
             columns.contribution[1][c] = fixed_point(contribution.y);
             columns.contribution[2][c] = fixed_point(contribution.z);
-            columns.finite[c] = isfinite(contribution.x) & isfinite(contribution.y) & isfinite(contribution.z);
-            columns.lit[c] = largest(absolute(contribution)) > 0.0f;
+            columns.finite[c] = (size.x < INFINITY) & (size.y < INFINITY) & (size.z < INFINITY);
+            columns.lit[c] = largest(size) > 0.0f;
         }
     }
     FOR_EACH_ITEM_SERIALLY(i, count) {

@@ -1,6 +1,7 @@
 // From hits to surface points.
 #include "generated/instances.cl"
 #include "generated/interior.cl"
+#include "kernels/core/columns.cl"
 #include "kernels/core/load.cl"
 #include "kernels/core/spawn.cl"
 #include "kernels/primitives/primitive.cl"
@@ -13,19 +14,27 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
     const Scene scene = SCENE;
     const global ShadingRecord *records = SCENE_ARRAY(scene, ShadingRecord, shading);
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
-    const global uint *list = live + first;
+    const Chunk chunk = chunk_of(count);
+    uint numbers[ITEMS_PER_WORK_ITEM], primitives[ITEMS_PER_WORK_ITEM];
+    list_numbers(live + first, chunk, numbers);
+    for (uint c = 0u; c < ITEMS_PER_WORK_ITEM; ++c) {
+        const uint primitive = c < chunk.items ? hits[chunk.begin + c].primitive : NO_HIT;
+        primitives[c] = primitive != NO_HIT ? primitive : 0u;
+    }
+    Columns chunk_rays, chunk_records;
+    fetch_columns(rays, 8u, numbers, chunk.items, &chunk_rays);
+    fetch_columns(records, 16u, primitives, chunk.items, &chunk_records);
     FOR_EACH_ITEM(i, count) {
-        const uint k = list[i];
-        const Ray ray = load(rays + k);
+        const Ray ray = ray_of_columns(&chunk_rays, i - chunk.begin);
         const Hit hit = load(hits + i);
         const bool on_surface = (hit.primitive != NO_HIT) & (hit.t >= 0.0f);  // reads the whole record: see SurfacePoint
-        const global ShadingRecord *record = records + (on_surface ? hit.primitive : 0u);
+        const ShadingRecord record = shading_of_columns(&chunk_records, i - chunk.begin);
         const uint instance = instance_at(instances, i);
         const Surface surface = surface_in_world(scene, instance, primitive_surface(scene, record, ray_in_group(scene, instance, ray), hit));
         const bool enters = dot3(surface.geometric, ray.direction) < 0.0f;
         const float side = enters ? 1.0f : -1.0f;
 
-        const uint material_index = material_in_instance(scene, instance, record->material);
+        const uint material_index = material_in_instance(scene, instance, record.material);
         const global Material *material = materials + material_index;
         const bool transmits = (material->flags & MATERIAL_TRANSMITS) != 0u;
         const bool lit_beyond = transmits & !enters;

@@ -23,7 +23,7 @@ kernel void look_up_textures(SCENE_PARAMS, const global ushort *restrict texels,
             result.diffuse = color_of(scene, texels, scene.header->background_texture, panorama_place(ray.direction, scene.header->background_turn));
         } else {
             const Ray inner = ray_in_group(scene, instance_at(instances, i), ray);
-            const Pattern pattern = primitive_pattern(scene, SCENE_ARRAY(scene, ShadingRecord, shading) + hit.primitive, inner, hit);
+            const Pattern pattern = primitive_pattern(scene, SCENE_ARRAY(scene, ShadingRecord, shading)[hit.primitive], inner, hit);
             const global Material *material = SCENE_ARRAY(scene, Material, materials) + points[i].material;
             result.diffuse = times(pattern.color, color_of(scene, texels, material->diffuse_texture, pattern.uv));
             result.specular = color_of(scene, texels, material->specular_texture, pattern.uv);

@@ -67,6 +67,7 @@ const SmallNumber small_numbers[] = {
     {"kernels/core/spawn.cl", "0x1p-22f", "rounding of a spawned ray's origin: bend's comment"},
     {"kernels/core/spawn.cl", "0x1p-21f", "rounding of a shadow ray's two ends: ray_to_light's comment"},
     {"kernels/lights/emission.cl", "0x1p-20f", "rounding of a shadow ray's two ends: emission_sample's comment"},
+    {"kernels/lights/emissive_flat.cl", "0x1p-20f", "rounding of a point of the face: four times emissive_flat_sample's bound"},
     {"kernels/lights/emissive_mesh.cl", "0x1p-16f", "unit: steps of Morton's curve"},
     {"kernels/lights/emissive_instances.cl", "0x1p-21f", "the way of a ray into the group's space: the comment above it"},
     {"kernels/lights/emissive_instances.cl", "0x1p-22f", "the way of a point to the world: the comment above it"},

@@ -153,10 +153,14 @@ TEST(Vectorised, PathsAre16WideWithEveryKindOfMaterial) {
 TEST(Vectorised, TheSceneHasEveryKindOfPrimitiveAndLight) {
     const Folder folder;
     const fs::path file = folder.path() / "scene.json";
-    std::ofstream(file) << scene_of("", "box", "", "both", "path");
-    const brandung::CompiledScene scene = brandung::compile(brandung::read_scene(file.string()));
-    EXPECT_EQ(scene.primitives.size(), brandung::primitive_kinds().size());
-    EXPECT_EQ(scene.lights.size(), brandung::light_kinds().size());
+    std::set<uint> lights;
+    for (const std::string integrator : {"whitted", "path"}) {
+        std::ofstream(file) << scene_of("", "box", "", "both", integrator);
+        const brandung::CompiledScene scene = brandung::compile(brandung::read_scene(file.string()));
+        EXPECT_EQ(scene.primitives.size(), brandung::primitive_kinds().size());
+        lights.insert(scene.lights.begin(), scene.lights.end());
+    }
+    EXPECT_EQ(lights.size(), brandung::light_kinds().size());
 }
 
 TEST(Vectorised, ParseTellsVectorisedLoopsFromOthers) {

@@ -95,7 +95,7 @@ std::vector<Surface> TracedScene::surfaces(const std::vector<Ray> &rays, const s
             const Scene scene = SCENE;
             const uint i = get_global_id(0);
             if (i >= count || hits[i].primitive == NO_HIT) return;
-            const global ShadingRecord *record = SCENE_ARRAY(scene, ShadingRecord, shading) + hits[i].primitive;
+            const ShadingRecord record = SCENE_ARRAY(scene, ShadingRecord, shading)[hits[i].primitive];
             const Ray ray = ray_in_group(scene, instance_at(instances, i), rays[i]);
             surfaces[i] = surface_in_world(scene, instance_at(instances, i), primitive_surface(scene, record, ray, hits[i]));
         })";

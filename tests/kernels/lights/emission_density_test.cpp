@@ -77,9 +77,9 @@ public:
                 return;
             }
             const uint instance = instance_at(instances, i);
-            const global ShadingRecord *record = SCENE_ARRAY(scene, ShadingRecord, shading) + hits[i].primitive;
+            const ShadingRecord record = SCENE_ARRAY(scene, ShadingRecord, shading)[hits[i].primitive];
             const Surface surface = surface_in_world(scene, instance, primitive_surface(scene, record, ray_in_group(scene, instance, ray), hits[i]));
-            const global Material *material = SCENE_ARRAY(scene, Material, materials) + record->material;
+            const global Material *material = SCENE_ARRAY(scene, Material, materials) + record.material;
             const float cosine = dot3(surface.geometric, ray.direction);
             const Spectrum radiance = emitted(material, cosine > 0.0f ? SURFACE_BACK : 0u);
             const vec3 straight = minus(surface.p, ray.origin);

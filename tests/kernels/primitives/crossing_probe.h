@@ -70,7 +70,7 @@ public:
                 if (!results[i].first.hit) return;
                 Hit hit;
                 hit.t = results[i].first.t, hit.u = results[i].first.u, hit.v = results[i].first.v, hit.primitive = i;
-                const Surface surface = NAME(surface)(scene, records + i, ray, hit);
+                const Surface surface = NAME(surface)(scene, records[i], ray, hit);
                 const float side = dot3(surface.geometric, directions[i]) < 0.0f ? -1.0f : 1.0f;
                 const vec3 offset = scaled(surface.geometric, side * dot3(absolute(surface.geometric), surface.error));
                 const Ray next = ray_spawn(spawn_origin(surface.p, offset), directions[i], RAY_REFLECTED, NO_HIT);
