@@ -120,12 +120,13 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
         child_alive[i] = goes_on && survives && largest(child.throughput) > 0.0f;
 
         if (LIGHTS) {
+            const ChosenLight asked = {chosen.light[c], chosen.inverse_chance[c], chosen.radiance[c]};
             const vec2 square = sampler_pair(which.pixel, which.sample, uses + USE_LIGHT, batch);
             const LightSample sample = light_sample(scene, light_of_columns(&chunk_lights, c), surface.origin, light_random(square, path.branch));
             const vec3 towards = to_frame(frame, sample.direction);
             const BsdfValue value = bsdf_eval(material, point, towards);
-            const float weight = power_heuristic(value.pdf * inverse_light_density(sample, chosen.radiance[c], chosen.inverse_chance[c]));
-            const Spectrum received = scaled(times(value.value, sample.irradiance), chosen.inverse_chance[c] * weight);
+            const float weight = power_heuristic(value.pdf * inverse_light_density(asked, sample));
+            const Spectrum received = scaled(times(value.value, sample.irradiance), asked.inverse_chance * weight);
             const Spectrum added = times(path.throughput, received);
             const vec3 origin = where(towards.z > 0.0f, sides.near, sides.far);
             shadow_rays[i] = ray_to_light(origin, sample.ray_direction, sample.distance, primitive);

@@ -30,8 +30,8 @@ FUNCTION ChosenLight light_chosen(Scene scene, float u) {
 FUNCTION float mean_of(Spectrum s) { return (s.x + s.y + s.z) * (1.0f / 3.0f); }
 
 /// Over the density with which a path chooses the direction of this sample of the light [sr]; 0 for a light that shines from one point or direction.
-FUNCTION float inverse_light_density(LightSample sample, float radiance, float inverse_chance) {
-    return (sample.inverse_density + mean_of(sample.irradiance) / radiance) * inverse_chance;
+FUNCTION float inverse_light_density(ChosenLight chosen, LightSample sample) {
+    return (sample.inverse_density + mean_of(sample.irradiance) / chosen.radiance) * chosen.inverse_chance;
 }
 
 /// The density with which a path at `from` would have chosen, as a point of a light, what its ray met at p, `distance` away [1/sr]: with the unit
