@@ -148,13 +148,7 @@ TEST(Path, BatchesAndKernelsForEverythingGiveTheSameBits) {
     add_floor(scene), add_quad_lamp(scene);
     add_sphere(scene, add_material(scene, glass(1.5f)), {0, 0.3f, 0}, 0.3f);
     add_sphere(scene, add_material(scene, mirror(0.9f)), {0.5f, 0.2f, 0.1f}, 0.2f);
-    const std::uint64_t hash = film_hash(render_scene(scene).film);
-    EXPECT_EQ(film_hash(render_scene(scene, {.batch = 1000}).film), hash);
-    EXPECT_EQ(film_hash(render_scene(scene, {}, Kinds::all).film), hash);
-    for (const char *accelerator : {"none", "kd_tree"}) {
-        scene.accelerator = accelerator;
-        EXPECT_EQ(film_hash(render_scene(scene).film), hash) << accelerator;
-    }
+    expect_same_bits(scene);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 /// Scenes of Bitterli's collection, rebuilt by tools/mitsuba_scene, against the pictures that he ships with them: means of blocks.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -51,10 +52,11 @@ TEST_P(ReferenceScenes, BlocksHaveTheReferencesMeans) {
     const fs::path data = fs::path(BRANDUNG_DATA) / "scenes" / scene.name;
     if (!fs::exists(data)) GTEST_SKIP() << "no " << data;
     if (run("python3 --version") != 0) GTEST_SKIP() << "no python3, which tools/mitsuba_scene needs";
-    const std::string base = (fs::path(testing::TempDir()) / scene.name).string();
+    const std::string base = (fs::path(testing::TempDir()) / fmt::format("brandung-{}-{}", scene.name, getpid())).string();
     ASSERT_EQ(run(fmt::format("{}/tools/mitsuba_scene {}/mitsuba3/scene.xml {}.json", BRANDUNG_SOURCE_DIR, data.string(), base)), 0);
     ASSERT_EQ(run(fmt::format("{} render {}.json {} --quiet -o {}.exr", BRANDUNG_PROGRAM, base, scene.options, base)), 0);
     const Picture ours = read_picture(base + ".exr"), reference = read_picture((data / scene.reference).string());
+    for (const char *extension : {".json", ".exr"}) fs::remove(base + extension);
     ASSERT_EQ(ours.width, 2 * reference.width);
 
     std::vector<double> differences;

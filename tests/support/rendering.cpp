@@ -1,5 +1,7 @@
 #include "tests/support/rendering.h"
 
+#include <gtest/gtest.h>
+
 #include "tests/support/probe.h"
 
 namespace brandung {
@@ -26,6 +28,16 @@ std::uint64_t film_hash(const std::vector<FilmPixel> &film) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (const std::byte byte : std::as_bytes(std::span(film))) hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3u;
     return hash;
+}
+
+void expect_same_bits(Scene &scene) {
+    const std::uint64_t hash = film_hash(render_scene(scene).film);
+    EXPECT_EQ(film_hash(render_scene(scene, {.batch = 1000}).film), hash);
+    EXPECT_EQ(film_hash(render_scene(scene, {}, Kinds::all).film), hash);
+    for (const char *accelerator : {"none", "kd_tree"}) {
+        scene.accelerator = accelerator;
+        EXPECT_EQ(film_hash(render_scene(scene).film), hash) << accelerator;
+    }
 }
 
 }  // namespace brandung

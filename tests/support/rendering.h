@@ -27,5 +27,7 @@ Rendering render_scene(Device &device, const Scene &scene, const RenderOptions &
 
 /// Of the exact sums: equal pictures and only they have equal hashes (FNV-1a, 64 bits).
 std::uint64_t film_hash(const std::vector<FilmPixel> &film);
+/// Expects that neither batches, nor kernels made for more than the scene has, nor accelerators change a bit of the film. Leaves another accelerator.
+void expect_same_bits(Scene &scene);
 
 }  // namespace brandung
