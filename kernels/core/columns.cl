@@ -5,18 +5,6 @@
 #include "kernels/core/scene.h"
 #include "kernels/core/transpose.cl"
 
-/// The items of this work-item: `items` of them from `begin` on.
-typedef struct {
-    uint begin, items;
-} Chunk;
-
-FUNCTION Chunk chunk_of(uint count) {
-    Chunk chunk;
-    chunk.begin = get_global_id(0) * ITEMS_PER_WORK_ITEM;
-    chunk.items = chunk.begin < count ? min(count - chunk.begin, ITEMS_PER_WORK_ITEM) : 0u;
-    return chunk;
-}
-
 /// numbers[c] = list[begin + c], for all c: after the last item it is the first record.
 FUNCTION void list_numbers(const global uint *list, Chunk chunk, uint *numbers) {
     for (uint c = 0u; c < ITEMS_PER_WORK_ITEM; ++c) numbers[c] = c < chunk.items ? list[chunk.begin + c] : 0u;

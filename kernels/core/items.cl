@@ -21,3 +21,15 @@
 /// The same chunk, one item after another: for divergent work and for sums into shared places.
 #define FOR_EACH_ITEM_SERIALLY(i, count) \
     for (uint i = get_global_id(0) * ITEMS_PER_WORK_ITEM; i < min((uint)(get_global_id(0) + 1u) * ITEMS_PER_WORK_ITEM, count); ++i)
+
+/// The items of this work-item: `items` of them from `begin` on.
+typedef struct {
+    uint begin, items;
+} Chunk;
+
+FUNCTION Chunk chunk_of(uint count) {
+    Chunk chunk;
+    chunk.begin = get_global_id(0) * ITEMS_PER_WORK_ITEM;
+    chunk.items = chunk.begin < count ? min(count - chunk.begin, ITEMS_PER_WORK_ITEM) : 0u;
+    return chunk;
+}

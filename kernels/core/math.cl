@@ -4,12 +4,6 @@
 #pragma once
 #include "kernels/core/lanes_1.cl"
 
-/// To even where two are as near; rint would end a loop's vectorisation.
-FUNCTION float nearest_integer(float x) {
-    const float magnitude = fabs(x), rounded = (magnitude + 0x1p23f) - 0x1p23f;
-    return copysign(magnitude < 0x1p23f ? rounded : magnitude, x);
-}
-
 #define PI 3.141592654f
 #define INVERSE_TWO_PI 0.159154943f
 

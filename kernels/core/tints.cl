@@ -5,6 +5,6 @@
 FUNCTION Tints tints_at(const global Tints *tints, uint i) {
     Tints result;
     result.diffuse = load(&tints[i].diffuse), result.specular = load(&tints[i].specular);
-    result.diffuse.x = fma(result.specular.z, 0.0f, result.diffuse.x);  // reads the whole record: see SurfacePoint
+    result.diffuse.x = fabs(result.specular.z) >= 0.0f ? result.diffuse.x : NAN;  // reads the whole record: see SurfacePoint
     return result;
 }

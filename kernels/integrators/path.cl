@@ -34,6 +34,77 @@ FUNCTION Frame frame_of(Sides sides, vec3 wo) { return frame_of(where(dot3(sides
 /// Whether a direction leads to the same side of the surface itself as of the shading normal's plane: `z` is its component along that normal.
 FUNCTION bool on_its_side(Sides sides, vec3 direction, float z) { return dot3(sides.geometric, direction) * z > 0.0f; }
 
+/// A surface that a path has met.
+typedef struct {
+    const global Material *material;
+    SurfacePoint at;
+    Sides sides;
+    Frame frame;      ///< of `point`
+    BsdfPoint point;  ///< as its BSDF sees it
+    bool is_there;    ///< else the path has left the scene, and nothing here means anything
+} MetSurface;
+
+FUNCTION MetSurface met_surface(const global Material *materials, SurfacePoint at, SurfaceInterface interface, Tints tint, vec3 wo) {
+    MetSurface met;
+    met.material = materials + at.material, met.at = at;
+    met.sides = sides_of(at, interface);
+    met.frame = frame_of(met.sides, wo);
+    met.point.wo = to_frame(met.frame, wo), met.point.eta = interface.eta;
+    met.point.diffuse_tint = tint.diffuse, met.point.specular_tint = tint.specular;
+    met.is_there = (at.flags & SURFACE_HIT) != 0u;
+    return met;
+}
+
+/// A path behind its next surface.
+typedef struct {
+    Ray ray;
+    Path path;
+    float pdf;    ///< of the ray's direction, as of BsdfSample
+    bool enters;  ///< what is behind the surface
+    bool lives;
+} NextPath;
+
+/// In the direction `next`, unless chance ends it by `u` in [0, 1).
+FUNCTION NextPath next_path(MetSurface met, Path path, BsdfSample next, uint roulette_depth, float u) {
+    const vec3 wi = unit(from_frame(met.frame, next.wi));
+    const bool stays = next.wi.z > 0.0f;
+    NextPath child;
+    child.enters = !stays && TRANSMITS && (met.material->flags & MATERIAL_TRANSMITS) != 0u;
+    // Radiance in a medium of index n has a factor n², which must not count as brightness.
+    const float scale = child.enters ? 1.0f / (met.point.eta * met.point.eta) : 1.0f;
+    const float survival = path.depth >= roulette_depth ? minimum(largest(next.weight) * scale, 1.0f) : 1.0f;
+    child.path = path;
+    child.path.depth = path.depth + 1u;
+    child.path.throughput = scaled(times(path.throughput, next.weight), survival > 0.0f ? 1.0f / survival : 0.0f);
+    child.path.branch = hash(path.branch * 2u);
+    const vec3 origin = where(stays, met.sides.near, met.sides.far);
+    child.ray = ray_spawn(origin, wi, stays ? RAY_REFLECTED : RAY_REFRACTED, SURFACE_PRIMITIVE(met.at.flags));
+    child.pdf = next.pdf;
+    child.lives = (met.is_there & on_its_side(met.sides, wi, next.wi.z)) && u < survival && largest(child.path.throughput) > 0.0f;
+    return child;
+}
+
+/// A ray that asks whether a light is visible.
+typedef struct {
+    Ray ray;
+    Spectrum added;  ///< to the path's sample, if it is
+    bool is_worth;
+} AskingRay;
+
+/// For this sample of the chosen light, weighted against the chance that the BSDF finds the same.
+FUNCTION AskingRay asking_ray(MetSurface met, Path path, ChosenLight chosen, LightSample sample) {
+    const vec3 towards = to_frame(met.frame, sample.direction);
+    const BsdfValue value = bsdf_eval(met.material, met.point, towards);
+    const float weight = power_heuristic(value.pdf * inverse_light_density(chosen, sample));
+    const Spectrum received = scaled(times(value.value, sample.irradiance), chosen.inverse_chance * weight);
+    const vec3 origin = where(towards.z > 0.0f, met.sides.near, met.sides.far);
+    AskingRay asking;
+    asking.ray = ray_to_light(origin, sample.ray_direction, sample.distance, SURFACE_PRIMITIVE(met.at.flags));
+    asking.added = times(path.throughput, received);
+    asking.is_worth = (met.is_there & on_its_side(met.sides, sample.direction, towards.z)) && largest(asking.added) > 0.0f;
+    return asking;
+}
+
 /// What a chunk's paths have chosen.
 typedef struct {
     uint light[ITEMS_PER_WORK_ITEM];            ///< its row
@@ -82,63 +153,35 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
     FOR_EACH_ITEM(i, count) {
         const uint k = list[i], c = i - chunk.begin;
         const Path path = path_of_columns(&chunk_paths, c);
-        const SurfacePoint surface = load(points + i);
-        const SurfaceInterface interface = load(interfaces + i);
-        const Tints tint = tints_at(tints, i);
-        const vec3 wo = load(directions + i);
-        const global Material *material = materials + surface.material;
-        const uint primitive = SURFACE_PRIMITIVE(surface.flags);
-        const bool on_surface = (surface.flags & SURFACE_HIT) != 0u;
-
+        const MetSurface met = met_surface(materials, load(points + i), load(interfaces + i), tints_at(tints, i), load(directions + i));
         const PixelSample which = pixel_sample(path.slot, batch, pixels);
         const uint uses = (path.depth - 1u) * USES_PER_SURFACE;
         const vec2 direction_pair = sampler_pair(which.pixel, which.sample, uses + USE_DIRECTION, batch);
+        const float roulette = sampler_pair(which.pixel, which.sample, uses + USE_ROULETTE, batch).x;
 
-        const Sides sides = sides_of(surface, interface);
-        const Frame frame = frame_of(sides, wo);
-        BsdfPoint point;
-        point.wo = to_frame(frame, wo), point.eta = interface.eta;
-        point.diffuse_tint = tint.diffuse, point.specular_tint = tint.specular;
-
-        const BsdfSample next = bsdf_sample(material, point, direction_pair, chosen.lobe[c]);
-        const vec3 wi = unit(from_frame(frame, next.wi));
-        const bool stays = next.wi.z > 0.0f, goes_on = on_surface & on_its_side(sides, wi, next.wi.z);
-        // Radiance in a medium of index n has a factor n², which must not count as brightness.
-        const bool enters = !stays && TRANSMITS && (material->flags & MATERIAL_TRANSMITS) != 0u;
-        const float scale = enters ? 1.0f / (interface.eta * interface.eta) : 1.0f;
-        const float survival = path.depth >= params.roulette_depth ? minimum(largest(next.weight) * scale, 1.0f) : 1.0f;
-        const bool survives = sampler_pair(which.pixel, which.sample, uses + USE_ROULETTE, batch).x < survival;
-        Path child = path;
-        child.depth = path.depth + 1u;
-        child.throughput = scaled(times(path.throughput, next.weight), survival > 0.0f ? 1.0f / survival : 0.0f);
-        child.branch = hash(path.branch * 2u);
-        interior_choose(!enters, interiors, k, beyond, i, child_interiors, base + i);
+        const BsdfSample next = bsdf_sample(met.material, met.point, direction_pair, chosen.lobe[c]);
+        const NextPath child = next_path(met, path, next, params.roulette_depth, roulette);
+        interior_choose(!child.enters, interiors, k, beyond, i, child_interiors, base + i);
         store_instance(child_sources, base + i, instance_at(instances, i));
-        first_rays[i] = ray_spawn(where(stays, sides.near, sides.far), wi, stays ? RAY_REFLECTED : RAY_REFRACTED, primitive);
-        first_paths[i] = child;
-        first_pdfs[i] = next.pdf;
-        child_alive[i] = goes_on && survives && largest(child.throughput) > 0.0f;
+        first_rays[i] = child.ray;
+        first_paths[i] = child.path;
+        first_pdfs[i] = child.pdf;
+        child_alive[i] = child.lives;
 
         if (LIGHTS) {
-            const ChosenLight asked = {chosen.light[c], chosen.inverse_chance[c], chosen.radiance[c]};
+            const ChosenLight light = {chosen.light[c], chosen.inverse_chance[c], chosen.radiance[c]};
             const vec2 square = sampler_pair(which.pixel, which.sample, uses + USE_LIGHT, batch);
-            const LightSample sample = light_sample(scene, light_of_columns(&chunk_lights, c), surface.origin, light_random(square, path.branch));
-            const vec3 towards = to_frame(frame, sample.direction);
-            const BsdfValue value = bsdf_eval(material, point, towards);
-            const float weight = power_heuristic(value.pdf * inverse_light_density(asked, sample));
-            const Spectrum received = scaled(times(value.value, sample.irradiance), asked.inverse_chance * weight);
-            const Spectrum added = times(path.throughput, received);
-            const vec3 origin = where(towards.z > 0.0f, sides.near, sides.far);
-            shadow_rays[i] = ray_to_light(origin, sample.ray_direction, sample.distance, primitive);
-            shadow_light[i] = added;
-            const bool faces = on_surface & on_its_side(sides, sample.direction, towards.z);
-            shadow_alive[i] = faces && path.depth <= params.max_depth && largest(added) > 0.0f;
+            const LightSample sample = light_sample(scene, light_of_columns(&chunk_lights, c), met.at.origin, light_random(square, path.branch));
+            const AskingRay asking = asking_ray(met, path, light, sample);
+            shadow_rays[i] = asking.ray;
+            shadow_light[i] = asking.added;
+            shadow_alive[i] = asking.is_worth && path.depth <= params.max_depth;
         }
     }
 }
 
-/// What ray k, that of item i, carries of what shines where it ends. It is weighted against the light that its origin has asked, where the surface
-/// there chose the ray's direction with density pdfs[k].
+/// What a ray carries of what shines where it ends. It is weighted against the light that its origin has asked, where the surface there chose the
+/// ray's direction with density `pdf`.
 FUNCTION Spectrum met_light(Scene scene, uint first_generation, Ray ray, float pdf, uint instance, SurfacePoint surface, SurfaceInterface interface,
                             vec3 wo, Tints tint) {
     const bool asked = LIGHTS && first_generation == 0u;

@@ -141,7 +141,7 @@ kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint with_unlit, uint first
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     const global uint *list = live + first;
     const Spectrum background = scene.header->background, ambient = scene.header->ambient, black = make3(0.0f, 0.0f, 0.0f);
-    const uint begin = get_global_id(0) * ITEMS_PER_WORK_ITEM;
+    const uint begin = chunk_of(count).begin;
     ShadeColumns columns;
     {
         FOR_EACH_ITEM(i, count) {

@@ -29,26 +29,29 @@ FUNCTION float place_within(float begin, float end, float u, uint random) {
     return minimum(fma(unit_interval(random), 0x1p-24f, u - begin) / (end - begin), 1.0f);
 }
 
-/// Uniform in the row's and the cell's solid angle. Rows and columns are searched by halves, in as many steps whatever the picture is.
+/// The last of the records 0 to `last`, of `words` words each, whose first word is not above u: by halves, in steps from `first_step`, a power of
+/// two.
+FUNCTION uint last_begun(const global void *records, uint words, uint last, uint first_step, float u) {
+    const global float *begins = (const global float *)records;
+    uint found = 0u;
+#pragma unroll
+    for (uint step = first_step; step > 0u; step /= 2u) {
+        const uint next = min(found + step, last);
+        found = begins[next * words] <= u ? next : found;
+    }
+    return found;
+}
+
+/// Uniform in the row's and the cell's solid angle. Rows and columns are searched in as many steps whatever the picture is.
 FUNCTION LightSample environment_sample(Scene scene, Light l, vec3 p, LightRandom random) {
     const global EnvironmentRow *rows = SCENE_ARRAY(scene, EnvironmentRow, environment_rows);
     const uint last_row = max(scene.header->environment_rows.count, 1u) - 1u;
-    uint row = 0u;
-#pragma unroll
-    for (uint step = MAX_ENVIRONMENT_ROWS / 2u; step > 0u; step /= 2u) {
-        const uint next = min(row + step, last_row);
-        row = rows[next].begin <= random.square.x ? next : row;
-    }
+    const uint row = last_begun(rows, 4u, last_row, MAX_ENVIRONMENT_ROWS / 2u, random.square.x);
     const EnvironmentRow chosen_row = rows[row];
 
-    const uint columns = max(scene.header->environment_columns, 1u), last_column = columns - 1u;
+    const uint columns = max(scene.header->environment_columns, 1u);
     const global EnvironmentCell *cells = SCENE_ARRAY(scene, EnvironmentCell, environment_cells) + row * columns;
-    uint column = 0u;
-#pragma unroll
-    for (uint step = MAX_ENVIRONMENT_COLUMNS / 2u; step > 0u; step /= 2u) {
-        const uint next = min(column + step, last_column);
-        column = cells[next].begin <= random.square.y ? next : column;
-    }
+    const uint column = last_begun(cells, 3u, columns - 1u, MAX_ENVIRONMENT_COLUMNS / 2u, random.square.y);
     const EnvironmentCell cell = cells[column];
 
     const float down = place_within(chosen_row.begin, chosen_row.end, random.square.x, hash(random.random + 6u));

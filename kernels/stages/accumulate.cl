@@ -5,11 +5,10 @@
 #include "kernels/core/items.cl"
 #include "kernels/core/lanes_1.cl"
 #include "kernels/core/load.cl"
-#include "kernels/core/math.cl"
 #include "kernels/core/scene.cl"
 
 /// In units of 2^-32, to the nearest. Magnitudes are cut at 2^17: an int64 holds them, and add_samples cuts, and counts, beyond 2^16.
-FUNCTION int64 fixed_point(float x) { return (int64)nearest_integer(minimum(maximum(x, -0x1p17f), 0x1p17f) * 0x1p32f); }
+FUNCTION int64 fixed_point(float x) { return (int64)rint(minimum(maximum(x, -0x1p17f), 0x1p17f) * 0x1p32f); }
 
 /// Two items may have one sample only where rays branch.
 FUNCTION void add_contribution(global Integer128 *sum, int64 contribution) {
@@ -30,7 +29,7 @@ typedef struct {
 kernel void accumulate(LIVE_PARAMS, const global Path *restrict paths, const global Spectrum *restrict contributions, global Sample *restrict samples,
                        global uint *restrict refused) {
     AccumulateColumns columns;
-    const uint begin = get_global_id(0) * ITEMS_PER_WORK_ITEM;
+    const uint begin = chunk_of(count).begin;
     {
         FOR_EACH_ITEM(i, count) {
             const Spectrum contribution = load(contributions + i), size = absolute(contribution);
