@@ -165,8 +165,8 @@ void add_light_options(CLI::App &command, SceneOptions &options) {
     command
         .add_option(
             "--light-samples", options.light_samples,
-            fmt::format("K: every emissive surface lights others from K x K of its points; 0: from none (default: the scene's, or 1; of a mesh "
-                        "file {})",
+            fmt::format("K: every emissive surface lights others from K x K of its points, but for paths, which ask one light at a surface; 0: "
+                        "from none (default: the scene's, or 1; of a mesh file {})",
                         mesh_light_samples))
         ->check(whole_numbers(0u, MAX_LIGHT_SAMPLES));
     command.add_option("--follow", options.follow,
