@@ -1,7 +1,6 @@
 #include "runtime/renderer.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "runtime/opencl/seconds_now.h"
 #include "runtime/wavefront/work.h"
@@ -87,19 +86,6 @@ private:
 
 }  // namespace
 
-Camera make_camera(const CameraDescription &description, uint width, uint height) {
-    const glm::dvec3 forward = glm::normalize(glm::dvec3(description.at) - glm::dvec3(description.from));
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(description.up)));
-    const glm::dvec3 up = glm::cross(right, forward);
-    const double half_height = std::tan(0.5 * static_cast<double>(description.fov)), half_width = half_height * width / height;
-    return {.position = description.from,
-            .corner = vec3(forward - half_width * right + half_height * up),
-            .right = vec3(2 * half_width * right),
-            .down = vec3(-2 * half_height * up),
-            .width = width,
-            .height = height};
-}
-
 Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &compiled, const DeviceScene &on_device, const CameraDescription &camera,
                    RenderOptions options)
     : device_(device),
@@ -108,7 +94,8 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
       camera_(make_camera(camera, film_settings_.width, film_settings_.height)),
       interior_(media_of_eye(scene, compiled, camera)),
       filter_(device, film_settings_, on_device.lists()),
-      integrator_(integrator_of(scene).make({device, scene, compiled, on_device, filter_, options_.batch, options_.on_step})),
+      integrator_(
+          integrator_of(scene).make({device, scene, compiled, on_device, camera_kinds()[camera.kind], filter_, options_.batch, options_.on_step})),
       pixels_(device, options_.batch),
       samples_(device, options_.batch) {}
 

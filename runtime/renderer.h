@@ -6,6 +6,7 @@
 #include "runtime/schedule.h"
 #include "runtime/wavefront/aovs.h"
 #include "runtime/wavefront/film.h"
+#include "scene/cameras/camera.h"
 
 namespace brandung {
 
@@ -44,9 +45,6 @@ struct RenderEnd {
     std::optional<Noise> noise;  ///< of the film, where it has two samples of every pixel
     uint spp = 0;                ///< as of RenderProgress
 };
-
-/// The camera's frustum for a picture of width x height.
-Camera make_camera(const CameraDescription &description, uint width, uint height);
 
 class Renderer {
 public:

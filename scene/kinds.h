@@ -16,13 +16,13 @@ template <class Kind> uint kind_number(const std::vector<Kind> &kinds, std::stri
 }
 
 /// Writes `view`, a kind's own record, into the words that its family's record has for it.
-template <class View, std::size_t count> void write_words(const View &view, uint (&words)[count]) {
+template <class View, class Word, std::size_t count> void write_words(const View &view, Word (&words)[count]) {
     static_assert(sizeof(View) <= sizeof words);
     std::memcpy(words, &view, sizeof view);
 }
 
 /// The view that was written into a record's words.
-template <class View, std::size_t count> View view_of(const uint (&words)[count]) {
+template <class View, class Word, std::size_t count> View view_of(const Word (&words)[count]) {
     static_assert(sizeof(View) <= sizeof words);
     View view;
     std::memcpy(&view, words, sizeof view);

@@ -16,11 +16,26 @@
 
 namespace brandung {
 
+/// Of cameras that have one.
+struct LensDescription {
+    float radius = 0;              ///< [world units]
+    float focus_distance = 0;      ///< of the sharp plane along the view [world units]
+    std::optional<vec3> focus_at;  ///< a point of that, instead
+    uint blades = 0;               ///< of the aperture: the corners of a regular polygon; 0: it is round
+    float blade_rotation = 0;      ///< angle of a corner from the right, counterclockwise as seen in the direction of view [degrees]
+};
+
 struct CameraDescription {
     std::string name;
     vec3 from{0, 0, 1}, at{0, 0, 0}, up{0, 1, 0};
     float fov = 0.78539816f;          ///< full vertical angle [radians]
     std::vector<std::string> inside;  ///< names of the transparent materials that the eye is in
+    uint kind = 0;                    ///< its place in camera_kinds()
+    // What only some kinds have.
+    float height = 0;          ///< of the view [world units]
+    float horizontal_fov = 0;  ///< full angle [radians]
+    bool equisolid = false;    ///< distances from the picture's middle are as the sines of half the angles, instead of the angles
+    LensDescription lens = {};
 };
 
 struct FilmSettings {

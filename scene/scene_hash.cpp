@@ -6,6 +6,7 @@
 #include <span>
 
 #include "kernels/primitives/instance.h"
+#include "scene/cameras/camera.h"
 #include "scene/compilation/spaces.h"
 
 namespace brandung {
@@ -50,6 +51,7 @@ void add_lanes(const Shape &shape, Hash &hash) {
 void add_camera(const Scene &scene, const CameraDescription &camera, Hash &hash) {
     for (const vec3 &v : {camera.from, camera.at, camera.up}) hash.add_value(v);
     hash.add_value(camera.fov);
+    if (camera.kind != 0) hash.add_value(camera.kind), hash.add_value(make_camera(camera, 1, 1));
     const auto is_inside = [&](const std::string &name) {
         return std::find(camera.inside.begin(), camera.inside.end(), name) != camera.inside.end();
     };

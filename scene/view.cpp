@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "scene/cameras/camera.h"
+
 namespace brandung {
 
 std::optional<ViewFault> view_fault(const CameraDescription &camera) {
@@ -12,7 +14,10 @@ std::optional<ViewFault> view_fault(const CameraDescription &camera) {
     if (camera.up == vec3(0)) return ViewFault{"up", "must not be zero"};
     if (glm::length(glm::cross(view, up)) < 1e-6 * glm::length(view) * glm::length(up))
         return ViewFault{"up", "must not be parallel to the view from \"from\" to \"at\""};
-    return std::nullopt;
+    const CameraKind &kind = camera_kinds()[camera.kind];
+    if (kind.fov.usual > 0)
+        if (const auto fault = fov_fault(kind.fov, glm::degrees(camera.fov))) return ViewFault{"fov", *fault};
+    return kind.fault(camera, frame_of(camera));
 }
 
 void ViewChanges::apply(CameraDescription &camera) const {
@@ -22,8 +27,9 @@ void ViewChanges::apply(CameraDescription &camera) const {
 
 std::string view_options(const CameraDescription &camera) {
     const auto numbers = [](vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
-    return fmt::format("--from {} --at {} --up {} --fov {:.4g}", numbers(camera.from), numbers(camera.at), numbers(camera.up),
-                       glm::degrees(camera.fov));
+    std::string options = fmt::format("--from {} --at {} --up {}", numbers(camera.from), numbers(camera.at), numbers(camera.up));
+    if (camera_kinds()[camera.kind].fov.usual > 0) options += fmt::format(" --fov {:.4g}", glm::degrees(camera.fov));
+    return options;
 }
 
 /// Rodrigues' formula.

@@ -13,7 +13,7 @@ struct ViewFault {
     std::string why;
 };
 
-/// Views have a direction, which leaves open no more than a millionth which way is up; nothing if this one does.
+/// Views have a direction, which leaves open no more than a millionth which way is up, and what their kind of camera needs; nothing if this one does.
 std::optional<ViewFault> view_fault(const CameraDescription &camera);
 
 /// What of a camera is to be replaced.

@@ -151,7 +151,7 @@ void add_view_options(CLI::App &command, SceneOptions &options) {
     command.add_option("--at", options.at, "a point in the middle of the picture, as X,Y,Z");
     command.add_option("--up", options.up, "what is up in the picture, as X,Y,Z: 0,0,1 for meshes that stand on the xy plane");
     command.add_option("--fov", options.fov, "vertical angle of view [degrees]")
-        ->check(numbers([](double x) { return float(x) > 0 && float(x) < 180; }, "above 0 and below 180 degrees", "DEGREES"));
+        ->check(numbers([](double x) { return float(x) > 0 && float(x) <= 360; }, "above 0 and at most 360 degrees", "DEGREES"));
     command.add_option("--background", options.background,
                        "what rays see that leave the scene: a colour, as R,G,B or one number (linear) or #RRGGBB (sRGB), or a latitude-longitude "
                        "picture, whose middle lies in -z and whose upper edge in y");

@@ -1,15 +1,18 @@
 // Pinhole camera.
 #pragma once
-#include "kernels/core/items.cl"
-#include "kernels/core/lanes_1.cl"
-#include "kernels/core/params.h"
+#include "kernels/cameras/camera_ray.cl"
+#include "kernels/cameras/perspective.h"
 
-/// The ray through picture point (x, y) in [0, 1]², from the top left.
-FUNCTION Ray camera_ray(Camera camera, float x, float y) {
-    Ray ray;
-    ray.origin = camera.position;
-    ray.direction = unit(plus(camera.corner, plus(scaled(camera.right, x), scaled(camera.down, y))));
-    ray.t_max = INFINITY;
-    ray.tag = RAY_TAG(RAY_CAMERA, NO_HIT);
-    return ray;
+typedef Perspective CameraView;
+#include "kernels/cameras/whole_picture.cl"
+
+FUNCTION CameraView camera_view(Camera camera) {
+    CameraView view;
+    view.corner = CAMERA_VECTOR(camera, 0), view.right = CAMERA_VECTOR(camera, 3), view.down = CAMERA_VECTOR(camera, 6);
+    return view;
+}
+
+/// The ray through picture point (x, y).
+FUNCTION Ray camera_ray(vec3 position, CameraView view, float x, float y, vec2 random) {
+    return ray_from_eye(position, unit(plus(view.corner, plus(scaled(view.right, x), scaled(view.down, y)))));
 }

@@ -137,7 +137,7 @@ FUNCTION float inverse_error_function(float x) {
     return x * (w < 5.0f ? p : q);
 }
 
-/// Cosine (x) and sine (y) of `turns` full turns, in [0, 1]: within 8e-8 (2^24 tried). Taylor's series up to an eighth of a turn, whose first
+/// Cosine (x) and sine (y) of `turns` full turns, in [-1/8, 1]: within 8e-8 (2^24 tried). Taylor's series up to an eighth of a turn, whose first
 /// omitted term is at most 2.5e-8, in the quarter next to it.
 FUNCTION vec2 turn(float turns) {
     const float quarters = 4.0f * turns;

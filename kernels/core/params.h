@@ -6,10 +6,13 @@
 #define PIXEL_CENTER 1u
 #define PIXEL_RANDOM 2u
 
-/// A pinhole: the ray through picture point (x, y) in [0, 1]², from the top left, has direction corner + x right + y down.
+#define CAMERA_WORDS 17
+
+/// 88 bytes. What rays begin at or near, and what else a kind of camera needs, as its view (kernels/cameras/<kind>.h) says.
 typedef struct {
-    vec3 position, corner, right, down;
-    uint width, height;
+    vec3 position;
+    uint width, height;  ///< of the picture [pixels]
+    float words[CAMERA_WORDS];
 } Camera;
 
 /// Which samples of which pixels a batch holds: slot = pixel in batch × samples + sample - first_sample.

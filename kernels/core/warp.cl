@@ -10,6 +10,16 @@ FUNCTION vec2 uniform_on_disk(vec2 u) {
     return p;
 }
 
+/// The same, where squares around the middle become disks, and strata stay compact (Shirley & Chiu, Journal of Graphics Tools 2(3) 1997).
+FUNCTION vec2 concentric_disk(vec2 u) {
+    const float a = 2.0f * u.x - 1.0f, b = 2.0f * u.y - 1.0f;
+    const bool wide = fabs(a) > fabs(b);
+    const float radius = wide ? a : b, other = wide ? b : a, eighths = other / (radius == 0.0f ? 1.0f : radius);
+    vec2 p = turn(wide ? 0.125f * eighths : 0.25f - 0.125f * eighths);
+    p.x *= radius, p.y *= radius;
+    return p;
+}
+
 /// On the hemisphere above z = 0, with density cosine / π.
 FUNCTION vec3 cosine_hemisphere(vec2 u) {
     const vec2 p = uniform_on_disk(u);

@@ -4,5 +4,7 @@
 
 kernel void test_camera_rays(const global Camera *restrict cameras, const global vec2 *restrict points, uint count,
                              global vec3 *restrict directions) {
-    FOR_EACH_ITEM_SERIALLY(i, count) { directions[i] = camera_ray(cameras[i], points[i].x, points[i].y).direction; }
+    FOR_EACH_ITEM_SERIALLY(i, count) {
+        directions[i] = camera_ray(cameras[i].position, camera_view(cameras[i]), points[i].x, points[i].y, points[i]).direction;
+    }
 }

@@ -1,12 +1,15 @@
 // Starts paths at the eye.
-#include "kernels/cameras/perspective.cl"
+#include "generated/camera.cl"
 #include "generated/filter.cl"
 #include "kernels/samplers/slot.cl"
+#include "kernels/samplers/uses.h"
 
-/// Slot i becomes the ray of sample first_sample + i % samples of pixel pixels[i / samples].
+/// Slot i becomes the ray of sample first_sample + i % samples of pixel pixels[i / samples]. Of cameras that do not see everywhere, seen[i] says
+/// whether there is one.
 kernel void generate_camera_rays(Camera camera, BatchParams batch, FILTER_PARAMS, const global uint *restrict pixels, uint count,
-                                 global Ray *restrict rays, global Path *restrict paths, global uint *restrict live,
+                                 global Ray *restrict rays, global Path *restrict paths, global uint *restrict live, global uchar *restrict seen,
                                  global Sample *restrict samples) {
+    const CameraView view = camera_view(camera);
     FOR_EACH_ITEM(i, count) {
         const PixelSample which = pixel_sample(i, batch, pixels);
         const uint pixel = which.pixel, sample = which.sample;
@@ -18,7 +21,8 @@ kernel void generate_camera_rays(Camera camera, BatchParams batch, FILTER_PARAMS
         const bool corner = batch.position == PIXEL_CORNER;
         const float x = corner ? (float)(int)px / (float)(int)(max(camera.width, 2u) - 1u) : ((float)(int)px + u) / (float)(int)camera.width;
         const float y = corner ? (float)(int)py / (float)(int)(max(camera.height, 2u) - 1u) : ((float)(int)py + v) / (float)(int)camera.height;
-        rays[i] = camera_ray(camera, x, y);
+        rays[i] = camera_ray(camera.position, view, x, y, sampler_pair(pixel, sample, USE_LENS, batch));
+        store_seen(seen, i, view, x, y);
 
         Path path;
         path.throughput = make3(1.0f, 1.0f, 1.0f);

@@ -1,9 +1,12 @@
 #include "runtime/inspection/inspect_pixel.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "runtime/inspection/describe_hits.h"
 #include "runtime/inspection/list_faces.h"
+#include "runtime/opencl/error.h"
 
 namespace brandung {
 namespace {
@@ -11,6 +14,9 @@ namespace {
 void inspect_samples(const InspectedRender &render, uint x, uint y, SampleRange range, std::vector<InspectedSample> &samples) {
     RayTrees trees(range.count);
     const std::vector<Sample> weighed = render.renderer.render_pixel(render.film, x, y, range.first, range.count, &trees);
+    for (uint i = 0; i < range.count; ++i)
+        if (trees.trees()[i].path.depth == 0)
+            throw Error(fmt::format("sample {} of pixel {},{} lies outside of what the camera sees: it has no ray", range.first + i, x, y));
     describe_hits(render.device, render.on_device, trees.trees());
     list_faces(render.device, render.on_device, trees.trees());
     for (uint i = 0; i < range.count; ++i) samples.push_back({range.first + i, std::move(trees.trees()[i]), trees.sums()[i], weighed[i]});

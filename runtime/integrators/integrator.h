@@ -10,6 +10,7 @@
 #include "runtime/wavefront/filter.h"
 #include "runtime/wavefront/ray_counter.h"
 #include "runtime/wavefront/wave_step.h"
+#include "scene/cameras/camera.h"
 
 namespace brandung {
 
@@ -53,6 +54,7 @@ struct IntegratorJob {
     const Scene &scene;
     const CompiledScene &compiled;
     const DeviceScene &on_device;
+    const CameraKind &camera;
     const Filter &filter;  ///< must live as long as the integrator
     uint batch;            ///< rays per wave
     const WatchSteps &on_step;

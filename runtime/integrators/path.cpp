@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "runtime/integrators/camera_rays.h"
 #include "runtime/integrators/shadows.h"
 #include "runtime/integrators/surfaces.h"
 #include "scene/error.h"
@@ -24,10 +25,9 @@ class PathIntegrator : public Integrator {
 public:
     explicit PathIntegrator(const IntegratorJob &job)
         : scene_(job.on_device),
-          filter_(job.filter),
           params_{job.scene.integrator.max_depth, job.scene.integrator.roulette_depth},
           sizeless_lights_(!job.scene.lights.empty()),
-          generate_(job.device, "kernels/stages/generate_camera_rays.cl", "generate_camera_rays", scene_.lists()),
+          generate_(job),
           spawn_(job.device, path_cl, "spawn_path", scene_.lists()),
           shade_(job.device, path_cl, "shade_path", scene_.lists()),
           accumulate_(job.device, "kernels/stages/accumulate.cl", "accumulate", scene_.lists()),
@@ -48,8 +48,7 @@ public:
         if (observer) throw Error("the rays of integrator path cannot be shown yet; --integrator whitted shows those of mirrors and glass");
         Level &first = levels_.start(batch.count());
         surfaces_.start(first, batch);
-        generate_(batch.count(), batch.camera, batch.params, filter_, several(batch.pixels, 1.0 / batch.params.samples), batch.count(), first.rays,
-                  first.paths, first.live, samples);
+        generate_(batch, first, samples);
         while (const auto wave = levels_.next()) {
             surfaces_.find(*wave, batch);
             if (wave->children)
@@ -66,7 +65,7 @@ public:
     std::uint64_t refused() const override { return refused_.read().at(0); }
     std::uint64_t media_lost() const override { return surfaces_.media_lost(); }
     std::size_t wave_bytes() const override {
-        return levels_.bytes_at_most() + surfaces_.bytes() + compact_.bytes() + alive_.bytes() + contributions_.bytes() +
+        return levels_.bytes_at_most() + generate_.bytes() + surfaces_.bytes() + compact_.bytes() + alive_.bytes() + contributions_.bytes() +
                (asked_ ? asked_->bytes() : 0);
     }
     std::vector<Skipped> skipped() const override {
@@ -108,11 +107,11 @@ private:
     }
 
     const DeviceScene &scene_;
-    const Filter &filter_;
     PathParams params_;
     bool sizeless_lights_;
     std::uint64_t cut_ = 0;  ///< rays whose surfaces send no more
-    Kernel generate_, spawn_, shade_, accumulate_;
+    CameraRays generate_;
+    Kernel spawn_, shade_, accumulate_;
     Surfaces surfaces_;
     Levels levels_;
     Compaction compact_;

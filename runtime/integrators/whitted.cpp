@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "runtime/integrators/integrator.h"
+#include "runtime/integrators/camera_rays.h"
 #include "runtime/integrators/observation.h"
 #include "runtime/integrators/surfaces.h"
 #include "runtime/integrators/whitted_parts.h"
@@ -20,12 +20,11 @@ public:
     explicit WhittedIntegrator(const IntegratorJob &job)
         : device_(job.device),
           scene_(job.on_device),
-          filter_(job.filter),
           batch_(job.batch),
           light_count_(job.compiled.header.lights.count),
           branching_(branching(job.compiled)),
           params_{job.scene.integrator.max_depth, job.scene.integrator.threshold},
-          generate_(job.device, "kernels/stages/generate_camera_rays.cl", "generate_camera_rays", scene_.lists()),
+          generate_(job),
           shade_(job.device, whitted_cl, "shade_whitted", scene_.lists()),
           accumulate_(job.device, "kernels/stages/accumulate.cl", "accumulate", scene_.lists()),
           surfaces_(job, branching_ > 0, generate_.work_items(job.batch) * std::clamp(light_count_, 1u, lights_per_block)),
@@ -47,8 +46,7 @@ public:
         if (observer) observation_.emplace(device_, batch_, branching_, surfaces_.interior_size());
         Level &first = levels_.start(batch.count());
         surfaces_.start(first, batch);
-        generate_(batch.count(), batch.camera, batch.params, filter_, several(batch.pixels, 1.0 / batch.params.samples), batch.count(), first.rays,
-                  first.paths, first.live, samples);
+        generate_(batch, first, samples);
         while (const auto wave = levels_.next()) {
             if (observer) observation_->begin(*wave);
             surfaces_.find(*wave, batch);
@@ -67,7 +65,7 @@ public:
     std::uint64_t refused() const override { return refused_.read().at(0); }
     std::uint64_t media_lost() const override { return surfaces_.media_lost(); }
     std::size_t wave_bytes() const override {
-        return levels_.bytes_at_most() + surfaces_.bytes() + contributions_.bytes() + (secondary_ ? secondary_->bytes() : 0) +
+        return levels_.bytes_at_most() + generate_.bytes() + surfaces_.bytes() + contributions_.bytes() + (secondary_ ? secondary_->bytes() : 0) +
                (shadows_ ? shadows_->bytes() : 0) + (shadow_filter_ ? shadow_filter_->filters.bytes() : 0);
     }
     std::vector<Skipped> skipped() const override {
@@ -192,11 +190,11 @@ private:
 
     Device &device_;
     const DeviceScene &scene_;
-    const Filter &filter_;
     uint batch_, light_count_;
     uint branching_;
     WhittedParams params_;
-    Kernel generate_, shade_, accumulate_;
+    CameraRays generate_;
+    Kernel shade_, accumulate_;
     Surfaces surfaces_;
     Levels levels_;
     Buffer<Spectrum> contributions_;

@@ -20,17 +20,18 @@ void check_memory(const Device &device, const FilmSettings &film) {
                                 bytes >> 20, device.info().name, device.info().memory >> 20));
 }
 
-/// 2^38 is more than any coordinate of a hit and any distance from the eye to one: the diagonal of a cube is less than twice its edge.
-float scale_of_lengths(float extent, const CameraDescription &camera) {
+/// 2^38 is more than any coordinate of a hit and any distance from a ray's beginning to one: the diagonal of a cube is less than twice its edge.
+float scale_of_lengths(float extent, const CameraDescription &camera, PictureSize size) {
     const vec3 from = glm::abs(camera.from);
-    const float reach = 2 * (extent + std::max({from.x, from.y, from.z}));
+    const float spread = static_cast<float>(camera_kinds()[camera.kind].spread(camera, size));
+    const float reach = 2 * (extent + std::max({from.x, from.y, from.z}) + spread);
     return reach > 0 ? std::exp2(38 - std::ceil(std::log2(reach))) : 1;
 }
 
 constexpr float scale_of_units = 0x1p32f;
 
-float scale_of(const AovKind &kind, float extent, const CameraDescription &camera) {
-    return kind.what == AovKind::length ? scale_of_lengths(extent, camera) : scale_of_units;
+float scale_of(const AovKind &kind, float extent, const CameraDescription &camera, PictureSize size) {
+    return kind.what == AovKind::length ? scale_of_lengths(extent, camera, size) : scale_of_units;
 }
 
 std::string file_of(const AovKind &kind) { return fmt::format("kernels/aovs/{}.cl", kind.name); }
@@ -63,14 +64,14 @@ void add_channels(const AovKind &kind, const std::vector<FilmPixel> &pixels, std
 
 Aovs::Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, const DeviceScene &on_device, const CameraDescription &camera,
            uint batch, std::size_t largest_band)
-    : extent_(compiled.header.world.extent) {
+    : size_{scene.film.width, scene.film.height}, extent_(compiled.header.world.extent) {
     const Window window = scene.film.window();
     check_memory(device, scene.film);
     const std::size_t largest = std::min<std::size_t>(largest_band, device.info().largest_allocation);
     for (const uint number : scene.film.aovs) {
         const AovKind &kind = aov_kinds()[number];
         if (is_mean(kind))
-            means_.push_back({kind, scale_of(kind, extent_, camera), Kernel(device, file_of(kind), "record_aov", on_device.lists()),
+            means_.push_back({kind, scale_of(kind, extent_, camera, size_), Kernel(device, file_of(kind), "record_aov", on_device.lists()),
                               Buffer<vec3>(device, batch), Bands<AovPixel>(device, window, largest)});
         if (kind.what == AovKind::number)
             numbers_.push_back({kind, Kernel(device, file_of(kind), "record_number", on_device.lists()), Bands<uint>(device, window, largest)});
@@ -81,10 +82,19 @@ Aovs::Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, co
 
 void Aovs::begin(const CameraDescription &camera) {
     for (Mean &mean : means_) {
-        mean.scale = scale_of(mean.kind, extent_, camera);
+        mean.scale = scale_of(mean.kind, extent_, camera, size_);
         mean.sums.clear();
     }
     for (Number &number : numbers_) number.numbers.clear();
+}
+
+void Aovs::clear_values() {
+    for (Mean &mean : means_) {
+        if (mean.kind.what == AovKind::filtered)
+            mean.values.fill_zero();
+        else
+            mean.values.write(std::vector<vec3>(mean.values.size(), vec3(std::numeric_limits<float>::infinity(), 0, 0)));
+    }
 }
 
 void Aovs::record(const Batch &batch, const DeviceScene &scene, const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances,

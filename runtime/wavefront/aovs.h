@@ -12,6 +12,7 @@
 #include "runtime/wavefront/filter.h"
 #include "runtime/wavefront/levels.h"
 #include "scene/aovs/aov.h"
+#include "scene/cameras/camera.h"
 #include "scene/image.h"
 #include "scene/scene.h"
 
@@ -25,7 +26,9 @@ public:
 
     /// Forgets all samples; those that follow are of rays from this camera.
     void begin(const CameraDescription &camera);
-    /// Takes note of a wave of camera rays, whose slots are in the order of their list.
+    /// Forgets what waves have recorded: samples without a camera ray are black, and end nowhere.
+    void clear_values();
+    /// Takes note of a wave of camera rays.
     void record(const Batch &batch, const DeviceScene &scene, const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances,
                 const Buffer<SurfacePoint> &points, const Buffer<Tints> &tints);
     /// Adds what the waves of a batch have recorded.
@@ -51,6 +54,7 @@ private:
         Bands<uint> numbers;  ///< from 1 on; 0 for none
     };
     std::list<Mean> means_;
+    PictureSize size_;
     float extent_;               ///< of the world
     std::optional<Kernel> add_;  ///< for means
     std::list<Number> numbers_;

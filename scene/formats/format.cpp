@@ -5,6 +5,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "scene/cameras/camera.h"
 #include "scene/error.h"
 #include "scene/input.h"
 #include "scene/nothing_to_see.h"
@@ -20,6 +21,9 @@ namespace {
 
 void change_view(const ViewChanges &changes, Scene &scene) {
     for (CameraDescription &camera : scene.cameras) {
+        const CameraKind &kind = camera_kinds()[camera.kind];
+        if (changes.fov && kind.fov.usual == 0)
+            throw SceneError(scene.file + ": camera \"" + camera.name + "\" is " + kind.name + " and has no \"fov\"");
         changes.apply(camera);
         if (const auto fault = view_fault(camera))
             throw SceneError(scene.file + ": camera \"" + camera.name + "\", as changed: \"" + fault->key + "\" " + fault->why);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "scene/bsdfs/bsdf.h"
+#include "scene/cameras/camera.h"
 #include "scene/formats/format.h"
 #include "scene/lights/light.h"
 #include "scene/parameters.h"
@@ -119,13 +120,10 @@ std::vector<std::string> read_inside(const Parameters &parameters, const Scene &
 CameraDescription read_camera(const Parameters &parameters, const std::string &name, const Scene &scene) {
     CameraDescription camera;
     camera.name = name;
-    parameters.choice("type", {"perspective"}, 0);
     camera.from = parameters.vector("from");
     camera.at = parameters.vector("at");
     camera.up = parameters.vector("up", camera.up);
-    const float degrees = parameters.positive("fov", 45.0f);
-    if (!(degrees < 180)) parameters.fail("fov", fmt::format("must be below 180 degrees, got {:g}", degrees));
-    camera.fov = glm::radians(degrees);
+    read_kind(parameters, camera);
     camera.inside = read_inside(parameters, scene);
     parameters.expect_all_known();
     if (const auto fault = view_fault(camera)) parameters.fail(fault->key, fault->why);

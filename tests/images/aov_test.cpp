@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "scene/bsdfs/bsdf.h"
+#include "scene/cameras/camera.h"
+#include "scene/kinds.h"
 #include "tests/support/filters.h"
 #include "tests/support/probe.h"
 #include "tests/support/rendering.h"
@@ -74,6 +76,24 @@ TEST(Aovs, OfASphereFollowFromItsGeometry) {
     }
     // tan asin(1.5 / sqrt 21) = 0.3464 of half a height of 0.3640: a circle of 0.4755 pixels' height in radius, 25 high.
     EXPECT_NEAR(double(hits), M_PI * std::pow(0.3464 / 0.3640 * 12.5, 2), 25);
+}
+
+/// Batches of two rows, the first and last of which hardly have a ray: what earlier ones recorded must not show.
+TEST(Aovs, OfAFisheyeAreNothingOutsideOfItsCircle) {
+    Scene scene = camera_at({0, 0, 3}, 60, 40, 1);
+    scene.cameras[0].kind = kind_number(camera_kinds(), "fisheye"), scene.cameras[0].fov = glm::radians(180.0f);
+    add_sphere(scene, add_material(scene, matte(0.5f)), {0, 0, 0}, 2.9f);
+    const Channels channels = render_aovs(scene, 120);
+    for (uint i = 0; i < 60 * 40; ++i) {
+        if (std::hypot(i % 60 + 0.5 - 30, i / 60 + 0.5 - 20) <= 20) {
+            ASSERT_GT(channels.at("albedo.R").floats[i], 0);
+            continue;
+        }
+        ASSERT_EQ(at(channels, i, "albedo.R", "albedo.G", "albedo.B"), vec3(0)) << i;
+        ASSERT_EQ(at(channels, i, "N.X", "N.Y", "N.Z"), vec3(0)) << i;
+        ASSERT_EQ(channels.at("depth.Z").floats[i], std::numeric_limits<float>::infinity()) << i;
+        ASSERT_EQ(channels.at("primitive").numbers[i], NO_HIT) << i;
+    }
 }
 
 /// Colours of vertices on a wall of reflectance 1/2, and a picture of one colour around the scene, by which its background of (1/4, 2, 0) is

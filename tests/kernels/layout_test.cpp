@@ -23,6 +23,11 @@
 #include "kernels/bsdfs/plastic.h"
 #include "kernels/bsdfs/thin_dielectric.h"
 #include "kernels/bsdfs/whitted.h"
+#include "kernels/cameras/fisheye.h"
+#include "kernels/cameras/orthographic.h"
+#include "kernels/cameras/panorama.h"
+#include "kernels/cameras/perspective.h"
+#include "kernels/cameras/thin_lens.h"
 #include "kernels/core/items.h"
 #include "kernels/core/params.h"
 #include "kernels/core/scene.h"
@@ -97,7 +102,7 @@ const Layouts &host_layouts() {
         RECORD(Integer128, low, high),
         RECORD(FilmPixel, sums, squares, counts),
         RECORD(AovPixel, sums, count, spare),
-        RECORD(Camera, position, corner, right, down, width, height),
+        RECORD(Camera, position, width, height, words),
         RECORD(BatchParams, pixels, first_sample, samples, spp, seed, position),
         RECORD(FilterParams, radius, negative_tail, weight),
         RECORD(FilmBand, first_row, rows, first_column, width),
@@ -169,6 +174,11 @@ const Layouts &host_layouts() {
         RECORD(VertexColors, a, b, c),
         RECORD(FrustumBlock, primitive, center, axis, half_length, radius, slope, side, low, high),
         RECORD(FrustumShading, center, axis, radius, slope, half_length),
+        RECORD(Perspective, corner, right, down),
+        RECORD(Orthographic, corner, right, down, direction),
+        RECORD(ThinLens, corner, right, down, across, along, blades, turned),
+        RECORD(Panorama, forward, right, up, width, height),
+        RECORD(Fisheye, forward, right, up, aspect, angle, sine, equisolid),
     };
     return layouts;
 }

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "scene/bsdfs/bsdf.h"
+#include "scene/cameras/camera.h"
 #include "scene/compile.h"
 #include "scene/formats/format.h"
 #include "scene/lights/light.h"
@@ -148,6 +149,19 @@ TEST(Vectorised, PathsAre16WideWithEveryKindOfMaterial) {
     expect_no_failure(remarks, "path");
     for (const std::string &loop : marked_loops("path"))
         EXPECT_TRUE(remarks.vectorised.contains(loop) || loop.find("/integrators/") == std::string::npos) << loop;
+}
+
+TEST(Vectorised, CamerasOfEveryKindAre16Wide) {
+    for (const brandung::CameraKind &kind : brandung::camera_kinds()) {
+        const Remarks remarks =
+            parse(remarks_of(R"({"film": {"width": 32, "height": 32, "spp": 4}, "background": 1, "camera": {"type": ")" + std::string(kind.name) +
+                             R"(", "from": [0, 1, 6], "at": [0, 0, 0])" + (kind.name == std::string("orthographic") ? R"(, "height": 2)" : "") +
+                             (kind.name == std::string("thin_lens") ? R"(, "lens_radius": 1, "focus_distance": 6)" : "") + "}}"));
+        std::size_t loops = 0;
+        for (const std::string &loop : marked_loops())
+            if (loop.find("generate_camera_rays.cl") != std::string::npos) ++loops, EXPECT_TRUE(remarks.vectorised.contains(loop)) << kind.name;
+        EXPECT_EQ(loops, 1u);
+    }
 }
 
 TEST(Vectorised, TheSceneHasEveryKindOfPrimitiveAndLight) {

@@ -45,9 +45,20 @@ TEST_P(SeenChange, MakesAnotherHash) { EXPECT_NE(hash({GetParam()}), hash()); }
 INSTANTIATE_TEST_SUITE_P(SceneHash, SeenChange,
                          testing::Values("objects.0.radius=1.0000001", "objects.1.apex=[2,2,0]", "objects.2.positions.17=[9,0,9]",
                                          "objects.0.material=grey", "materials.0.diffuse=0.4", "materials.2.eta=1.6", "lights.0.intensity=11",
-                                         "background=0.1", "ambient=0.1", "camera.from=[0,0,8]", "camera.fov=44", "camera.inside=[]",
-                                         "camera.inside=[\"glass\"]", "objects.3.transform.translate=[0,4,0]", "objects.3.group=b",
-                                         "objects.3.material=air", "groups.0.objects.0.radius=1.5"));
+                                         "background=0.1", "ambient=0.1", "camera.from=[0,0,8]", "camera.fov=44", "camera.type=panorama",
+                                         "camera.inside=[]", "camera.inside=[\"glass\"]", "objects.3.transform.translate=[0,4,0]",
+                                         "objects.3.group=b", "objects.3.material=air", "groups.0.objects.0.radius=1.5"));
+
+TEST(SceneHash, SeesWhatOnlySomeCamerasHave) {
+    const auto with_camera = [](const std::string &members) {
+        return hash({R"(camera={"from": [0, 0, 9], "at": [0, 0, 0], "inside": ["air"], )" + members + "}"});
+    };
+    const std::string lens = R"("type": "thin_lens", "focus_distance": 3, )", fisheye = R"("type": "fisheye")";
+    EXPECT_NE(with_camera(lens + R"("lens_radius": 1)"), with_camera(lens + R"("lens_radius": 2)"));
+    EXPECT_NE(with_camera(lens + R"("lens_radius": 1)"), with_camera(lens + R"("lens_radius": 1, "blades": 5)"));
+    EXPECT_NE(with_camera(fisheye), with_camera(fisheye + R"(, "mapping": "equisolid")"));
+    EXPECT_NE(with_camera(R"("type": "orthographic", "height": 1)"), with_camera(R"("type": "orthographic", "height": 2)"));
+}
 
 /// The hash of the scene with a mesh of one triangle that has a picture, after a change.
 template <class Change> std::uint64_t hash_with_picture(Change change) {

@@ -177,3 +177,11 @@ TEST(CliInspect, TextIsATreeAndThenEveryRay) {
     EXPECT_EQ(brief.out.find("ray 0:"), std::string::npos) << brief.out;
     EXPECT_NE(brief.out.find("└─ 1 reflected"), std::string::npos) << brief.out;
 }
+
+TEST(CliInspect, RefusesSamplesThatTheCameraDoesNotSee) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(inspect(folder, {"8,6", "--set", "camera.type=fisheye"}).status, 0);
+    const Finished run = inspect(folder, {"0,0", "--set", "camera.type=fisheye"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_EQ(run.err, "brandung: sample 0 of pixel 0,0 lies outside of what the camera sees: it has no ray\n");
+}

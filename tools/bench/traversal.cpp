@@ -6,6 +6,8 @@
 #include <filesystem>
 
 #include "runtime/opencl/source.h"
+#include "scene/cameras/camera.h"
+#include "scene/error.h"
 #include "tools/bench/candidate.h"
 #include "tools/scene_options.h"
 
@@ -65,7 +67,11 @@ public:
 private:
     void make_rays(const Scene &scene) {
         goes_on("making rays");
-        const Camera camera = make_camera(chosen_camera(scene, trial_.camera), scene.film.width, scene.film.height);
+        const CameraDescription &description = chosen_camera(scene, trial_.camera);
+        if (description.kind != 0)
+            throw SceneError(scene.file + ": camera \"" + description.name + "\" is " + camera_kinds()[description.kind].name +
+                             "; traversals are compared by the rays of " + camera_kinds()[0].name + " ones");
+        const Camera camera = make_camera(description, scene.film.width, scene.film.height);
         const auto find_hits = [&](const RayQueue &queue) {
             RayAnswers found;
             trace(queue, traversal_of_render(false, device_.info(), *ours_.compiled.accelerator), &found);

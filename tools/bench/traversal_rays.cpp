@@ -9,7 +9,9 @@
 #include <numbers>
 #include <optional>
 
+#include "kernels/cameras/perspective.h"
 #include "runtime/wavefront/work.h"
+#include "scene/kinds.h"
 #include "scene/lights/light.h"
 
 namespace brandung {
@@ -98,9 +100,10 @@ public:
 
     RayQueue camera_rays(const Camera &camera) const {
         const std::vector<uint> pixels = PixelOrder(Window{0, 0, camera.width, camera.height}).next(std::size_t{camera.width} * camera.height);
+        const Perspective view = view_of<Perspective>(camera.words);
         return queue(RayQueue::Use::camera, false, pixels.size(), [&](std::size_t i) -> std::optional<TaggedRay> {
             const double x = ((pixels[i] & 0xffff) + 0.5) / camera.width, y = ((pixels[i] >> 16) + 0.5) / camera.height;
-            const dvec3 way = dvec3(camera.corner) + x * dvec3(camera.right) + y * dvec3(camera.down);
+            const dvec3 way = dvec3(view.corner) + x * dvec3(view.right) + y * dvec3(view.down);
             return TaggedRay{{camera.position, infinity, vec3(glm::normalize(way)), RAY_TAG(RAY_CAMERA, NO_HIT)}, 0};
         });
     }

@@ -1,12 +1,16 @@
 /// Rays of the pinhole camera.
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "kernels/cameras/perspective.h"
 #include "kernels/core/params.h"
 #include "runtime/selftest/describe.h"
 #include "runtime/selftest/examine.h"
 #include "runtime/selftest/extended.h"
 #include "runtime/selftest/precision.h"
 #include "runtime/selftest/subjects/list.h"
+#include "scene/kinds.h"
 
 namespace brandung {
 namespace {
@@ -15,10 +19,10 @@ constexpr std::size_t inputs_per_round = 1 << 18;
 
 /// As kernels have it, in float or in double.
 template <class Number> struct CameraOf {
-    using Three = glm::vec<3, Number>;
-    Three position, corner, right, down;
+    glm::vec<3, Number> position;
     uint width, height;
-    explicit CameraOf(const Camera &c) : position(c.position), corner(c.corner), right(c.right), down(c.down), width(c.width), height(c.height) {}
+    Number words[CAMERA_WORDS];
+    explicit CameraOf(const Camera &c) : position(c.position), width(c.width), height(c.height) { std::ranges::copy(c.words, words); }
 };
 
 /// Of all angles of view up to 179 degrees, wide and narrow pictures, anywhere.
@@ -26,12 +30,10 @@ Camera any_camera(InputSource &source) {
     const glm::dvec3 forward(source.direction()), other(source.direction());
     const glm::dvec3 right = glm::normalize(glm::cross(forward, other)), down = glm::cross(forward, right);
     const double height = std::exp2(source.uniform(-16, 8)), width = height * std::exp2(source.uniform(-4, 4));
-    return {.position = source.direction() * source.power_of_two(-20, 20),
-            .corner = vec3(forward - width / 2 * right - height / 2 * down),
-            .right = vec3(width * right),
-            .down = vec3(height * down),
-            .width = 1,
-            .height = 1};
+    Camera camera{.position = source.direction() * source.power_of_two(-20, 20), .width = 1, .height = 1, .words = {}};
+    const vec3 corner(forward - width / 2 * right - height / 2 * down);
+    write_words(Perspective{.corner = corner, .right = vec3(width * right), .down = vec3(height * down)}, camera.words);
+    return camera;
 }
 
 class CameraRays final : public Subject {
@@ -66,15 +68,15 @@ private:
 
     /// The sum has 4 roundings, of magnitudes up to that of its terms; unit() adds 4 u.
     static void look_at(const Camera &camera, vec2 point, vec3 direction, const glm::dvec3 *in_double, Findings &findings) {
-        const Vector corner = camera.corner, right = Vector(camera.right) * point.x, down = Vector(camera.down) * point.y,
-                     sum = corner + right + down;
+        const Perspective view = view_of<Perspective>(camera.words);
+        const Vector corner = view.corner, right = Vector(view.right) * point.x, down = Vector(view.down) * point.y, sum = corner + right + down;
         const extended allowed = 4 * unit_roundoff * ((length(corner) + length(right) + length(down)) / length(sum) + 1);
         ++findings.hits;
         if (in_double)
             findings.rounding_of(Quantity::normal).add(glm::distance(glm::dvec3(direction), *in_double), double(allowed), 2 * unit_roundoff, 1);
         findings.measure(Quantity::normal, double(length(Vector(direction) - unit(sum))), double(allowed), 2 * unit_roundoff, 1, [&] {
-            return fmt::format("direction {} of corner {} + {:a} {} + {:a} {}", text_of(direction), text_of(camera.corner), point.x,
-                               text_of(camera.right), point.y, text_of(camera.down));
+            return fmt::format("direction {} of corner {} + {:a} {} + {:a} {}", text_of(direction), text_of(view.corner), point.x,
+                               text_of(view.right), point.y, text_of(view.down));
         });
     }
 

@@ -6,6 +6,7 @@
 
 #include "scene/accelerators/accelerator.h"
 #include "scene/bsdfs/bsdf.h"
+#include "scene/cameras/camera.h"
 #include "scene/lights/light.h"
 #include "tests/scene/formats/temporary_file.h"
 
@@ -50,6 +51,7 @@ TEST_F(Schema, NamesTheKindsThatTheReaderKnows) {
     EXPECT_EQ(types_of("shape"), names_of(shape_readers()));
     EXPECT_EQ(types_of("material"), names_of(bsdf_kinds()));
     EXPECT_EQ(types_of("light"), names_of(lights_of_files()));
+    EXPECT_EQ(types_of("camera"), names_of(camera_kinds()));
     std::vector<std::string> accelerators = names_of(accelerator_kinds());
     accelerators.insert(accelerators.begin(), "auto");
     EXPECT_EQ(schema.at("properties").at("accelerator").at("enum").get<std::vector<std::string>>(), accelerators);
@@ -65,8 +67,8 @@ TEST_F(Schema, ItsDefaultsAreTheReaders) {
                              {{"type", "spot"}, {"position", {0, 0, 0}}, {"intensity", 1}, {"at", {0, 0, 1}}}}}};
     nlohmann::json full = bare;
     full["film"] = defaults_of("film"), full["integrator"] = defaults_of("integrator");
-    full["camera"].update(defaults_of("camera")), full["materials"][0].update(defaults_of("whitted")), full["lights"][0].update(defaults_of("point")),
-        full["lights"][1].update(defaults_of("spot"));
+    full["camera"].update(defaults_of("perspective_camera")), full["materials"][0].update(defaults_of("whitted")),
+        full["lights"][0].update(defaults_of("point")), full["lights"][1].update(defaults_of("spot"));
     const Scene a = read_text(bare.dump()), b = read_text(full.dump());
     EXPECT_TRUE(a.film == b.film);
     EXPECT_EQ(a.integrator.type, b.integrator.type);
@@ -78,6 +80,20 @@ TEST_F(Schema, ItsDefaultsAreTheReaders) {
     EXPECT_EQ(a.cameras[0].fov, b.cameras[0].fov);
     EXPECT_EQ(bytes_of(a.materials[0].record), bytes_of(b.materials[0].record));
     for (const std::size_t i : {0, 1}) EXPECT_EQ(bytes_of(a.lights[i]), bytes_of(b.lights[i]));
+}
+
+TEST_F(Schema, ItsDefaultsAreThoseOfEveryCamera) {
+    for (const CameraKind &kind : camera_kinds()) {
+        const std::string name = kind.name;
+        nlohmann::json camera = {{"type", name}, {"from", {0, 0, 5}}, {"at", {0, 0, 0}}};
+        if (name == "orthographic") camera["height"] = 2;
+        if (name == "thin_lens") camera["lens_radius"] = 0.1, camera["focus_distance"] = 3;
+        nlohmann::json full = camera;
+        full.update(defaults_of(name + "_camera"));
+        const Camera a = make_camera(read_text(nlohmann::json{{"camera", camera}}.dump()).cameras[0], 3, 2),
+                     b = make_camera(read_text(nlohmann::json{{"camera", full}}.dump()).cameras[0], 3, 2);
+        EXPECT_EQ(bytes_of(a), bytes_of(b)) << name;
+    }
 }
 
 }  // namespace

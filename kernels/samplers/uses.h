@@ -1,0 +1,4 @@
+/// Uses of a sampler beyond those at surfaces, which number from 1 on.
+#pragma once
+
+#define USE_LENS 0x10000u

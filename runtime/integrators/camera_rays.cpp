@@ -1,0 +1,31 @@
+#include "runtime/integrators/camera_rays.h"
+
+#include "runtime/wavefront/aovs.h"
+
+namespace brandung {
+namespace {
+
+Sources lists_with(const CameraKind &camera, Sources lists) {
+    lists["generated/camera.cl"] = std::string("#include \"kernels/cameras/") + camera.name + ".cl\"\n";
+    return lists;
+}
+
+}  // namespace
+
+CameraRays::CameraRays(const IntegratorJob &job)
+    : filter_(job.filter),
+      generate_(job.device, "kernels/stages/generate_camera_rays.cl", "generate_camera_rays", lists_with(job.camera, job.on_device.lists())),
+      seen_(job.device, job.camera.sees_everywhere ? 0 : job.batch) {
+    if (!job.camera.sees_everywhere) compact_.emplace(job.device, job.batch, 1);
+}
+
+void CameraRays::operator()(const Batch &batch, Level &first, Buffer<Sample> &samples) {
+    generate_(batch.count(), batch.camera, batch.params, filter_, several(batch.pixels, 1.0 / batch.params.samples), batch.count(), first.rays,
+              first.paths, first.live, seen_, samples);
+    if (!compact_) return;
+    (*compact_)(seen_, batch.count(), batch.count(), 1, 0, 0, first.live);
+    first.end = compact_->counts().read().at(0);
+    if (batch.aovs) batch.aovs->clear_values();
+}
+
+}  // namespace brandung
