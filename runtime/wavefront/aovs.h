@@ -47,6 +47,11 @@ private:
         Buffer<vec3> values;  ///< by slot
         Bands<AovPixel> sums;
     };
+    /// Of cameras that do not see everywhere: values are recorded in the order of the rays that there are.
+    struct Gaps {
+        Kernel spread;
+        Buffer<vec3> listed;
+    };
     /// A number of the first sample's hit.
     struct Number {
         const AovKind &kind;
@@ -54,6 +59,7 @@ private:
         Bands<uint> numbers;  ///< from 1 on; 0 for none
     };
     std::list<Mean> means_;
+    std::optional<Gaps> gaps_;
     PictureSize size_;
     float extent_;               ///< of the world
     std::optional<Kernel> add_;  ///< for means
