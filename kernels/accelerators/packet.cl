@@ -38,18 +38,18 @@ FUNCTION int16 major_axes(vec3x16 d) {
     return ((x >= y) & (x >= z)) ? (int16)(0) : y >= z ? (int16)(1) : (int16)(2);
 }
 
-FUNCTION int16 source_instances_of(const global uint *live, uint first, uint last, const global uint *source_instances, uint skipped) {
+FUNCTION int16 source_instances_of(const uint *numbers, const global uint *source_instances, uint skipped) {
     int sources[ROW];
-    for (uint j = 0u; j < ROW; ++j) sources[j] = (int)source_instances[live[min(first + j, last - 1u)] - skipped];
+    for (uint j = 0u; j < ROW; ++j) sources[j] = (int)source_instances[numbers[j] - skipped];
     return vload16(0, sources);
 }
 
-/// Rays first .. first + 15 of a list; lanes beyond `last` repeat the last ray and have t_max -1. The instance of what ray k leaves is
+/// The rays of 16 numbers, of which the first `count` count: the other lanes have t_max -1. The instance of what ray k leaves is
 /// source_instances[k - skipped], which only scenes with instances have.
-FUNCTION Row row_of(const global Ray *rays, const global uint *live, uint first, uint last, const global uint *source_instances, uint skipped) {
+FUNCTION Row row_of(const global Ray *rays, const uint *numbers, uint count, const global uint *source_instances, uint skipped) {
     float16 starts[4], ends[4], start[4], end[4];
     for (uint r = 0u; r < 4u; ++r) {
-#define HALF(quarter, half) vload4(half, (const global float *)(rays + live[min(first + 4u * quarter + r, last - 1u)]))
+#define HALF(quarter, half) vload4(half, (const global float *)(rays + numbers[4u * quarter + r]))
         starts[r] = (float16)(HALF(0u, 0), HALF(1u, 0), HALF(2u, 0), HALF(3u, 0));
         ends[r] = (float16)(HALF(0u, 1), HALF(1u, 1), HALF(2u, 1), HALF(3u, 1));
 #undef HALF
@@ -59,18 +59,25 @@ FUNCTION Row row_of(const global Ray *rays, const global uint *live, uint first,
     row.origin = make3(start[0], start[1], start[2]);
     row.direction = make3(end[0], end[1], end[2]);
     const int16 lane = (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-    row.t_max = lane < (int16)((int)(last - min(first, last))) ? start[3] : (float16)(-1.0f);
+    row.t_max = lane < (int16)((int)count) ? start[3] : (float16)(-1.0f);
     row.tag = as_int16(end[3]);
     row.axis = major_axes(row.direction);
     row.source = (row.tag >> 2 & 0x3fffffff) - 1;
-    if (INSTANCES) row.source_instance = source_instances_of(live, first, last, source_instances, skipped);
+    if (INSTANCES) row.source_instance = source_instances_of(numbers, source_instances, skipped);
     return row;
 }
 
-/// row_of for rays first .. first + PACKET - 1.
+/// Rays first .. first + 15 of a list, of which those from `last` on do not count.
+FUNCTION Row row_of_list(const global Ray *rays, const global uint *live, uint first, uint last, const global uint *source_instances, uint skipped) {
+    uint numbers[ROW];
+    for (uint j = 0u; j < ROW; ++j) numbers[j] = live[min(first + j, last - 1u)];
+    return row_of(rays, numbers, last - min(first, last), source_instances, skipped);
+}
+
+/// row_of_list for rays first .. first + PACKET - 1.
 FUNCTION Packet packet_of(const global Ray *rays, const global uint *live, uint first, uint last, const global uint *source_instances, uint skipped) {
     Packet packet;
-    FOR_EACH_ROW(r) packet.rows[r] = row_of(rays, live, first + r * ROW, last, source_instances, skipped);
+    FOR_EACH_ROW(r) packet.rows[r] = row_of_list(rays, live, first + r * ROW, last, source_instances, skipped);
     return packet;
 }
 

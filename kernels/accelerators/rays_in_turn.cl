@@ -38,11 +38,11 @@ FUNCTION PreparedRays prepare_each(const Row *row, float extent) {
     return prepared;
 }
 
-/// The rays first .. end - 1 of a list, as row_of takes them; at most ITEMS_PER_WORK_ITEM.
+/// The rays first .. end - 1 of a list, as row_of_list takes them; at most ITEMS_PER_WORK_ITEM.
 FUNCTION void prepare_list(const global Ray *rays, const global uint *live, uint first, uint end, const global uint *source_instances, uint skipped,
                            float extent, PreparedRays *prepared) {
     for (uint i = first; i < end; i += ROW) {
-        const Row row = row_of(rays, live, i, end, source_instances, skipped);
+        const Row row = row_of_list(rays, live, i, end, source_instances, skipped);
         *prepared++ = prepare_each(&row, extent);
     }
 }

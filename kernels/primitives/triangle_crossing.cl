@@ -20,6 +20,23 @@ FUNCTION mask TRIANGLE(may_cross)(real ax, real ay, real bx, real by, real cx, r
     return left | right;
 }
 
+/// Whether a ray may cross it, by few operations: false only where TRIANGLE(crossing) finds no crossing. The signs are those of may_cross, for which
+/// it has the same vertices; t times the determinant is known but for `doubt`, as ray_doubt gives it. What is not a number is not left out.
+FUNCTION mask TRIANGLE(may_meet)(const global TriangleBlock *block, uint j, LaneRay ray, real doubt) {
+    const real ox = ray.turned_origin.x, oy = ray.turned_origin.y, oz = ray.turned_origin.z;
+    const real az = LANE(block->a[ray.kz], j) - oz, bz = LANE(block->b[ray.kz], j) - oz, cz = LANE(block->c[ray.kz], j) - oz;
+    const real ax = fma(-ray.shear.x, az, LANE(block->a[ray.kx], j) - ox), ay = fma(-ray.shear.y, az, LANE(block->a[ray.ky], j) - oy);
+    const real bx = fma(-ray.shear.x, bz, LANE(block->b[ray.kx], j) - ox), by = fma(-ray.shear.y, bz, LANE(block->b[ray.ky], j) - oy);
+    const real cx = fma(-ray.shear.x, cz, LANE(block->c[ray.kx], j) - ox), cy = fma(-ray.shear.y, cz, LANE(block->c[ray.ky], j) - oy);
+    const real u = cx * by - cy * bx, v = ax * cy - ay * cx, w = bx * ay - by * ax;
+    const real det = u + v + w;
+    const mask sign = REAL_BITS(det) & (mask)((int)0x80000000);
+    const real su = BITS_REAL(REAL_BITS(u) ^ sign), sv = BITS_REAL(REAL_BITS(v) ^ sign), sw = BITS_REAL(REAL_BITS(w) ^ sign);
+    const real t = fma(su, az, fma(sv, bz, sw * cz)) * ray.shear.z;
+    return (LANE_NUMBER(block->primitive, j) != ray.source) & !(minimum(su, minimum(sv, sw)) < 0.0f) & !(t < -doubt) &
+           !(t > fma(ray.t_max, fabs(det), doubt));
+}
+
 /// The value's sign; where it is 0, the origin being on the edge from p to q, the sign for an origin moved by (e, e^2), e > 0 as small as it takes
 /// (Edelsbrunner, Mücke, ACM TOG 9(1) 1990). Triangles that share the edge see it in opposite directions and find opposite signs.
 FUNCTION real TRIANGLE(side)(real value, real px, real py, real qx, real qy) {

@@ -2,13 +2,11 @@
 #define ROWS 4u
 #include "generated/instances.cl"
 #include "kernels/accelerators/packet_levels.cl"
+#include "kernels/accelerators/row_results.cl"
 
 FUNCTION void store_hits(global Hit *hits, uint count, RowHits closest) {
-    const float16 columns[4] = {closest.t, closest.u, closest.v, as_float16(closest.primitive)};
-    float16 rows[4];
-    transpose_fields(columns, rows);
     float4 hit[ROW];
-    for (uint r = 0u; r < 4u; ++r) hit[r] = rows[r].s0123, hit[4u + r] = rows[r].s4567, hit[8u + r] = rows[r].s89ab, hit[12u + r] = rows[r].scdef;
+    hits_of_row(closest, hit);
     for (uint j = 0u; j < count; ++j) vstore4(hit[j], j, (global float *)hits);
 }
 
@@ -19,18 +17,8 @@ FUNCTION void store_instances(global uint *instances, uint count, RowHits closes
 }
 
 FUNCTION void store_crowded(global uchar *crowded, uint count, RowHits closest) {
-    const uint bits = mask_bits((closest.primitive != (uint16)(NO_HIT)) & (closest.next <= closest.t + closest.margin));
+    const uint bits = crowded_lanes(closest);
     for (uint j = 0u; j < count; ++j) crowded[j] = bits >> j & 1u;
-}
-
-/// Of the row's first `count` rays.
-FUNCTION void count_rays(const Row *rays, uint count, const RowHits *closest, Tally *tally) {
-    const uint here = (1u << count) - 1u, hits = mask_bits(closest->primitive != (uint16)(NO_HIT));
-    for (uint kind = 0u; kind < RAY_KINDS; ++kind) {
-        const uint of_kind = here & mask_bits((rays->tag & 3) == (int16)((int)kind));
-        tally->rays[kind] += popcount(of_kind);
-        tally->hits[kind] += popcount(of_kind & hits);
-    }
 }
 
 /// hits[i] is the closest hit of ray live[first + i]; a hit beyond t_max or none has primitive NO_HIT. One tally per work-item.

@@ -7,7 +7,17 @@
 namespace brandung {
 namespace {
 
-bool pays(const Traversal &traversal, const DeviceInfo &device) {
+/// Up to which a row of rays is through all of them before the same rays are through a hierarchy.
+constexpr uint few_blocks = 8;
+
+uint blocks_of(const CompiledScene &scene) {
+    uint blocks = 0;
+    for (const Span &of_kind : scene.header.world.blocks) blocks += of_kind.count;
+    return blocks;
+}
+
+bool pays(const Traversal &traversal, const DeviceInfo &device, const CompiledScene &scene) {
+    if (traversal.for_few && blocks_of(scene) > few_blocks) return false;
     return traversal.pays_on == Traversal::PaysOn::all || (traversal.pays_on == Traversal::PaysOn::cpus) == device.cpu;
 }
 
@@ -17,21 +27,23 @@ const std::vector<Traversal> &traversals() {
     using enum Traversal::PaysOn;
     using enum RayLanes;
     static const std::vector<Traversal> list = {
-        {"packets", "intersect_packets", "trace_shadow_rays", eight, &AcceleratorKind::packets, cpus, true},
-        {"interleaved", "intersect_interleaved", "trace_shadow_rays_interleaved", eight, &AcceleratorKind::interleaved, cpus, false},
-        {"scalar", "intersect", "trace_shadow_rays_singly", one, &AcceleratorKind::scalar, others, false},
-        {"single", "intersect", "trace_shadow_rays_singly", eight, nullptr, all, false},
+        {"rows", "intersect_rows", "trace_shadow_rays_rows", eight, &AcceleratorKind::rows, cpus, false, true},
+        {"packets", "intersect_packets", "trace_shadow_rays", eight, &AcceleratorKind::packets, cpus, true, false},
+        {"interleaved", "intersect_interleaved", "trace_shadow_rays_interleaved", eight, &AcceleratorKind::interleaved, cpus, false, false},
+        {"scalar", "intersect", "trace_shadow_rays_singly", one, &AcceleratorKind::scalar, others, false, false},
+        {"single", "intersect", "trace_shadow_rays_singly", eight, nullptr, all, false, false},
     };
     return list;
 }
 
-bool is_available(const Traversal &traversal, const DeviceInfo &device, const AcceleratorKind &accelerator) {
-    return (device.cpu || pays(traversal, device)) && (traversal.support == nullptr || accelerator.*traversal.support);
+bool is_available(const Traversal &traversal, const DeviceInfo &device, const CompiledScene &scene) {
+    if (traversal.for_few && scene.instances) return false;
+    return (device.cpu || pays(traversal, device, scene)) && (traversal.support == nullptr || scene.accelerator->*traversal.support);
 }
 
-const Traversal &traversal_of_render(bool coherent, const DeviceInfo &device, const AcceleratorKind &accelerator) {
+const Traversal &traversal_of_render(bool coherent, const DeviceInfo &device, const CompiledScene &scene) {
     return *std::ranges::find_if(traversals(), [&](const Traversal &traversal) {
-        return is_available(traversal, device, accelerator) && pays(traversal, device) && (coherent || !traversal.for_coherent);
+        return is_available(traversal, device, scene) && pays(traversal, device, scene) && (coherent || !traversal.for_coherent);
     });
 }
 

@@ -20,14 +20,16 @@ struct Traversal {
     bool AcceleratorKind::*support;  ///< what the accelerator must have; null: all have it
     PaysOn pays_on;
     bool for_coherent;  ///< pays for rays that stay together only
+    bool for_few;       ///< goes through all blocks of primitives: pays where these are few, and knows no instances
 };
 /// THE list of traversals: of those that there are and that pay, a render takes the first.
 const std::vector<Traversal> &traversals();
 
-/// Whether the accelerator has it, and the device can be asked to run it: a CPU any, so that all can be compared there, others what pays on them.
-bool is_available(const Traversal &traversal, const DeviceInfo &device, const AcceleratorKind &accelerator);
+/// Whether the scene's accelerator has it, and the device can be asked to run it: a CPU any, so that all can be compared there, others what pays on
+/// them.
+bool is_available(const Traversal &traversal, const DeviceInfo &device, const CompiledScene &scene);
 /// The one that a render takes for rays that stay together, or else go their own ways.
-const Traversal &traversal_of_render(bool coherent, const DeviceInfo &device, const AcceleratorKind &accelerator);
+const Traversal &traversal_of_render(bool coherent, const DeviceInfo &device, const CompiledScene &scene);
 
 /// One of its stages: &Traversal::closest_hit or any_hit.
 Kernel traversal_kernel(Device &device, const Traversal &traversal, const char *Traversal::*question, const CompiledScene &compiled);

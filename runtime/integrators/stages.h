@@ -7,7 +7,7 @@ namespace brandung {
 
 /// For the closest hits of rays that stay together, or else go their own ways; or for whether they meet anything.
 inline Kernel tracing_kernel(const IntegratorJob &job, bool coherent, const char *Traversal::*question) {
-    const Traversal &traversal = traversal_of_render(coherent, job.device.info(), *job.compiled.accelerator);
+    const Traversal &traversal = traversal_of_render(coherent, job.device.info(), job.compiled);
     return traversal_kernel(job.device, traversal, question, job.compiled);
 }
 

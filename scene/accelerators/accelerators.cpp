@@ -16,13 +16,13 @@ BuiltAccelerator build_none(std::span<const Reference> references, const Hulls &
 
 const std::vector<AcceleratorKind> &accelerator_kinds() {
     static const std::vector<AcceleratorKind> kinds = {
-        {"wide_bvh", "wide_bvh", true, true, true, true, build_wide_bvh},  // the default
-        {"uniform_grid", "uniform_grid", false, false, false, false, build_uniform_grid},
-        {"octree", "octree", false, false, false, false, build_octree},
-        {"kd_tree", "kd_tree", false, false, false, false, build_kd_tree},
-        {"kd_tree_median", "kd_tree", false, false, false, false, build_kd_tree_median},
-        {"bounding_volumes", "bounding_volumes", false, false, false, false, build_bounding_volumes},
-        {"none", "none", true, false, false, false, build_none},
+        {"wide_bvh", "wide_bvh", true, true, true, true, true, build_wide_bvh},  // the default
+        {"uniform_grid", "uniform_grid", false, false, false, false, false, build_uniform_grid},
+        {"octree", "octree", false, false, false, false, false, build_octree},
+        {"kd_tree", "kd_tree", false, false, false, false, false, build_kd_tree},
+        {"kd_tree_median", "kd_tree", false, false, false, false, false, build_kd_tree_median},
+        {"bounding_volumes", "bounding_volumes", false, false, false, false, false, build_bounding_volumes},
+        {"none", "none", true, false, false, true, false, build_none},
     };
     return kinds;
 }

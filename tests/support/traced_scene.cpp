@@ -81,7 +81,7 @@ std::vector<std::uint8_t> TracedScene::visible(const Traversal &traversal, const
 std::vector<Traversal> TracedScene::traversals() const {
     std::vector<Traversal> available;
     for (const Traversal &traversal : brandung::traversals())
-        if (is_available(traversal, test_device().info(), *compiled_.accelerator)) available.push_back(traversal);
+        if (is_available(traversal, test_device().info(), compiled_)) available.push_back(traversal);
     return available;
 }
 

@@ -74,7 +74,7 @@ private:
         const Camera camera = make_camera(description, scene.film.width, scene.film.height);
         const auto find_hits = [&](const RayQueue &queue) {
             RayAnswers found;
-            trace(queue, traversal_of_render(false, device_.info(), *ours_.compiled.accelerator), &found);
+            trace(queue, traversal_of_render(false, device_.info(), ours_.compiled), &found);
             return found;
         };
         sets_ = make_ray_sets(trial_.rays, camera, shadow_light(scene), geometry_, find_hits);
@@ -102,7 +102,7 @@ private:
         std::optional<RayAnswers> first, robust;
         std::optional<Disagreement> of_first;
         for (const Traversal &traversal : traversals()) {
-            if (!is_available(traversal, device_.info(), *ours_.compiled.accelerator)) continue;
+            if (!is_available(traversal, device_.info(), ours_.compiled)) continue;
             if (!goes_on(set.name + ", warming up")) return false;
             RayAnswers found;
             trace(set.queue, traversal, &found);
@@ -180,7 +180,7 @@ private:
         const char *kernel = set.queue.shadow ? traversal.any_hit : traversal.closest_hit;
         return {.rays = set.name,
                 .traversal = &traversal,
-                .of_render = &traversal == &traversal_of_render(set.queue.coherent, device_.info(), *ours_.compiled.accelerator),
+                .of_render = &traversal == &traversal_of_render(set.queue.coherent, device_.info(), ours_.compiled),
                 .count = set.queue.count(),
                 .kernel = kernel,
                 .hash = hash_of_text(expand_source(fmt::format("kernels/stages/{}.cl", kernel), specialize(ours_.compiled, traversal.lanes)))};

@@ -65,7 +65,7 @@ private:
         const std::vector<uint> sources(rays.size(), 0);
         std::vector<Answers> all;
         for (const Traversal &traversal : traversals()) {
-            if (!is_available(traversal, device_.info(), *mesh.scene.accelerator)) continue;
+            if (!is_available(traversal, device_.info(), mesh.scene)) continue;
             mesh.tracing.trace({false, false, rays, sources}, traversal);
             all.push_back({traversal.name, mesh.tracing.answers().hits, {}});
             mesh.tracing.trace({true, false, rays, sources}, traversal);
