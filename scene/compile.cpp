@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "scene/bsdfs/bsdf.h"
+#include "scene/bsdfs/choosing.h"
 #include "scene/compilation/parts.h"
 #include "scene/compilation/sizes.h"
 #include "scene/error.h"
@@ -21,23 +22,26 @@ template <class KindsOfFamily> std::vector<uint> numbers_of(const KindsOfFamily 
     return numbers;
 }
 
+/// Of one that chooses, itself: its members are in use too.
+bool is_whitted(const Material &material) { return chooses(material) ? !lets_light_pass(material) : bsdf_kinds()[material.kind].is_whitted; }
+
 /// Of all materials in use.
 void expect_whitted(const Scene &scene) {
     const std::vector<bool> used = materials_in_use(scene);
     for (uint m = 0; m < used.size(); ++m) {
-        const BsdfKind &kind = bsdf_kinds()[scene.materials[m].record.kind];
-        if (!used[m] || kind.is_whitted) continue;
+        const Material &material = scene.materials[m].record;
+        if (!used[m] || is_whitted(material)) continue;
         const std::string place = place_of_material(scene, m);
         throw SceneError(fmt::format("{}: integrator whitted cannot show a material of type \"{}\"; --integrator path can",
-                                     place.empty() ? scene.file : place, kind.name));
+                                     place.empty() ? scene.file : place, type_of(material)));
     }
 }
 
 /// As if the scene used whatever changes no picture by being there.
 void use_everything(const Scene &scene, CompiledScene &compiled) {
     compiled.bsdfs = numbers_of(bsdf_kinds()), compiled.lights = numbers_of(light_kinds());
-    compiled.reflects = compiled.transmits = compiled.emissive_instances = compiled.environment = compiled.highlights = compiled.shading_normals =
-        compiled.tints = true;
+    compiled.reflects = compiled.transmits = compiled.chooses = compiled.emissive_instances = compiled.environment = compiled.highlights =
+        compiled.shading_normals = compiled.tints = true;
     compiled.filters_shadows = scene.integrator.filtered_shadows;
     compiled.interior_size = max_interior_size;
 }

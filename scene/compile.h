@@ -38,6 +38,7 @@ struct CompiledScene {
     bool environment = false;                  ///< whether the background is a light
     bool highlights = false;                   ///< whether any material has one
     bool shading_normals = false;              ///< whether any primitive has normals of its own for shading
+    bool chooses = false;                      ///< whether any material stands for others, of which one counts at every hit
     bool tints = false;                        ///< whether pictures or vertices give any hit or miss a colour
     uint interior_size = 0;                    ///< entries of a ray's list of media: at least the number of `media` up to max_interior_size
     uint media = 0;                            ///< transparent materials of things, and those that an eye is in, if there are things to refract

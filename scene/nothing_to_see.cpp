@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "kernels/bsdfs/whitted.h"
+#include "scene/bsdfs/choosing.h"
 #include "scene/materials_in_use.h"
 #include "scene/places.h"
 #include "scene/vectors.h"
@@ -24,6 +25,8 @@ Surfaces surfaces_of(const Scene &scene) {
     for (uint m = 0; m < used.size(); ++m) {
         if (!used[m]) continue;
         const Material &material = scene.materials[m].record;
+        surfaces.pass_on |= lets_light_pass(material);
+        if (chooses(material)) continue;  // its members are seen
         Whitted whitted;
         std::memcpy(&whitted, material.words, sizeof whitted);
         surfaces.seen.push_back(m);

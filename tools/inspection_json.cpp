@@ -81,6 +81,7 @@ private:
                 {"geometric_normal", vector(d.geometric)},
                 {"shading_normal", vector(d.normal)},
                 {"side", glm::dot(d.geometric, ray.ray.direction) < 0 ? "enters" : "leaves"},
+                {"material", scene_.materials[ray.point.material].name},
                 {"cosine", number(d.cosine)},
                 {"origin_lit_side", vector(ray.point.origin)},
                 {"origin_other_side", vector(ray.interface.beyond)}};

@@ -123,6 +123,7 @@ void write_passed(Lines &lines, const json &passed) {
 void write_hit(Lines &lines, const json &ray) {
     const json &hit = ray["hit"], &surface = ray["surface"], &interface = ray["interface"];
     lines.field("hits", primitive(hit));
+    if (surface["material"] != hit["material"]) lines.field("  chosen", "\"" + text_of(surface["material"]) + "\"");
     lines.field("  t, u, v", fmt::format("{}, {}, {}", floats(hit["t"]), floats(hit["u"]), floats(hit["v"])));
     lines.field("point", floats(surface["point"]));
     lines.field("  error bound", floats(surface["error"]));

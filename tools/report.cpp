@@ -38,6 +38,7 @@ std::vector<std::string> features_in_use(const Job &job) {
     if (compiled.texture_count > 0) used.push_back(counted(compiled.texture_count, "texture"));
     if (compiled.header.vertex_colors.count > 0) used.push_back("vertex colours");
     if (compiled.header.background_texture != 0) used.push_back("picture as background");
+    if (compiled.chooses) used.push_back("materials that choose among others");
     if (compiled.reflects) used.push_back("reflected rays");
     if (compiled.transmits) used.push_back(fmt::format("refracted rays, lists of {} media", compiled.interior_size));
     if (compiled.follows_one) used.push_back("random choice of reflected and refracted rays");

@@ -76,3 +76,6 @@ FUNCTION Medium interior_medium(Interior interior, const global Material *materi
 
 /// What find_interfaces has found out for item i.
 FUNCTION float interface_eta(const global float *etas, uint i, const global Material *material) { return etas[i]; }
+
+/// That is over the index of the hit's own material: 1 of one that chooses, in whose place another counts.
+FUNCTION void store_eta_of_chosen(global float *etas, uint i, const global Material *chosen) { etas[i] /= chosen->eta; }

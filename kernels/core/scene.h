@@ -7,6 +7,7 @@ typedef struct {
     uint offset, count;
 } Span;
 
+#define NO_MATERIAL 0xffffffffu
 #define MAX_PRIMITIVE_KINDS 8u
 #define BLOCK_SIZE 8u
 
@@ -24,6 +25,7 @@ typedef struct {
 #define MATERIAL_DARK_FRONT 32u    ///< its emission leaves only the side that the geometric normal leads away from,
 #define MATERIAL_DARK_BACK 64u     ///< or only the other one
 #define MATERIAL_SHINES 128u       ///< its emission is not black
+#define MATERIAL_CHOOSES 256u      ///< at every hit another one counts in its place: kernels/bsdfs/choice.h
 
 /// A surface's material; 128 bytes. `words` is the kind's own.
 typedef struct {

@@ -7,8 +7,6 @@ typedef struct {
     vec3 x, y, z, origin;
 } Transform;
 
-#define NO_MATERIAL 0xffffffffu
-
 /// 128 bytes. Number 0 is the world itself: primitives in it are in no instance.
 typedef struct {
     Transform to_world;  ///< from the group's space

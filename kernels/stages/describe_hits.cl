@@ -6,14 +6,16 @@
 #include "kernels/primitives/placed.cl"
 #include "kernels/stages/describe_hits.h"
 
-/// Of hits[i] of rays[i], which is one, in instances[i] where the scene has some, with etas[i] the ratio of indices there.
+/// Of hits[i] of rays[i], which is one, in instances[i] where the scene has some, with etas[i] the ratio of indices there, and
+/// materials[i] the material.
 kernel void describe_hits(SCENE_PARAMS, const global Ray *restrict rays, const global Hit *restrict hits, const global uint *restrict instances,
-                          const global float *restrict etas, uint count, global HitDescription *restrict descriptions) {
+                          const global float *restrict etas, const global uint *restrict materials, uint count,
+                          global HitDescription *restrict descriptions) {
     const Scene scene = SCENE;
     FOR_EACH_ITEM_SERIALLY(i, count) {
         const Ray ray = rays[i];
         const PlacedHit hit = placed(hits[i], instance_at(instances, i));
-        const global Material *material = material_of(scene, hit);
+        const global Material *material = SCENE_ARRAY(scene, Material, materials) + materials[i];
         const Surface surface = surface_of(scene, ray, hit);
         const bool enters = dot3(surface.geometric, ray.direction) < 0.0f;
         const vec3 wo = negate(unit(ray.direction));

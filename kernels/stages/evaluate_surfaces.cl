@@ -1,4 +1,5 @@
 // From hits to surface points.
+#include "generated/choosing.cl"
 #include "generated/instances.cl"
 #include "generated/interior.cl"
 #include "kernels/core/columns.cl"
@@ -7,10 +8,11 @@
 #include "kernels/primitives/primitive.cl"
 
 /// Where ray live[first + i] met the scene; wo[i] is the unit vector back along it. After a miss there is no SURFACE_HIT, and only wo[i] means
-/// anything. etas[i] is the ratio of indices there, where scenes have transparent materials; instances[i] that of the hit, where they have some.
+/// anything. etas[i] is the ratio of indices there, where scenes have transparent materials; instances[i] that of the hit, where they have some;
+/// chosen[i] the material there, where some choose among others.
 kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, const global Hit *restrict hits,
-                              const global uint *restrict instances, const global float *restrict etas, global SurfacePoint *restrict points,
-                              global SurfaceInterface *restrict interfaces, global vec3 *restrict wo) {
+                              const global uint *restrict instances, const global float *restrict etas, const global uint *restrict chosen,
+                              global SurfacePoint *restrict points, global SurfaceInterface *restrict interfaces, global vec3 *restrict wo) {
     const Scene scene = SCENE;
     const global ShadingRecord *records = SCENE_ARRAY(scene, ShadingRecord, shading);
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
@@ -34,7 +36,7 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
         const bool enters = dot3(surface.geometric, ray.direction) < 0.0f;
         const float side = enters ? 1.0f : -1.0f;
 
-        const uint material_index = material_in_instance(scene, instance, record.material);
+        const uint material_index = material_at_hit(chosen, i, material_in_instance(scene, instance, record.material));
         const global Material *material = materials + material_index;
         const bool transmits = (material->flags & MATERIAL_TRANSMITS) != 0u;
         const bool lit_beyond = transmits & !enters;

@@ -10,7 +10,7 @@ namespace {
 void describe(Device &device, const DeviceScene &scene, const std::vector<TracedRay *> &traced) {
     std::vector<Ray> rays;
     std::vector<Hit> hits;
-    std::vector<uint> instances;
+    std::vector<uint> instances, materials;
     std::vector<float> etas;
     std::vector<TracedRay *> hitting;
     for (TracedRay *ray : traced) {
@@ -18,6 +18,7 @@ void describe(Device &device, const DeviceScene &scene, const std::vector<Traced
         hitting.push_back(ray);
         rays.push_back(ray->ray), hits.push_back(ray->hit);
         instances.push_back(ray->instance), etas.push_back(ray->interface.eta);
+        materials.push_back(ray->point.material);
     }
     if (hitting.empty()) return;
 
@@ -25,7 +26,7 @@ void describe(Device &device, const DeviceScene &scene, const std::vector<Traced
     const std::size_t count = hitting.size();
     const Buffer<HitDescription> descriptions(device, count);
     describe(count, scene, Buffer<Ray>(device, rays), Buffer<Hit>(device, hits), Buffer<uint>(device, instances), Buffer<float>(device, etas),
-             static_cast<uint>(count), descriptions);
+             Buffer<uint>(device, materials), static_cast<uint>(count), descriptions);
     const std::vector<HitDescription> read = descriptions.read();
     for (std::size_t i = 0; i < count; ++i) hitting[i]->description = read[i];
 }

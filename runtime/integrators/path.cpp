@@ -80,7 +80,7 @@ public:
     }
     std::vector<NotShown> not_shown() const override {
         if (!sizeless_lights_) return {};
-        return {{"light of points and directions over mirrors and through smooth glass", "paths cannot meet lights without size by chance"}};
+        return {{"light of points and directions over mirrors, through smooth glass and masks", "paths cannot meet lights without size by chance"}};
     }
 
 private:

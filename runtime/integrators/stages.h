@@ -29,6 +29,14 @@ struct Interfaces {
     std::size_t bytes() const { return beyond.bytes() + etas.bytes() + crowded.bytes(); }
 };
 
+/// Materials that choose among others: only where the scene has some.
+struct Choices {
+    explicit Choices(const IntegratorJob &job)
+        : choose(job.device, "kernels/stages/choose_materials.cl", "choose_materials", job.on_device.lists()), chosen(job.device, job.batch) {}
+    Kernel choose;
+    Buffer<uint> chosen;  ///< the material of each hit
+};
+
 /// Colours of pictures and vertices: only where the scene has some.
 struct Pictures {
     explicit Pictures(const IntegratorJob &job)

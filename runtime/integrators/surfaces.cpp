@@ -24,6 +24,7 @@ Surfaces::Surfaces(const IntegratorJob &job, bool bounces, std::size_t tallies)
       intersect_together_(tracing_kernel(job, true, &Traversal::closest_hit)) {
     if (bounces) intersect_apart_.emplace(tracing_kernel(job, false, &Traversal::closest_hit));
     if (job.compiled.transmits) media.emplace(job);
+    if (job.compiled.chooses) choices.emplace(job);
     if (job.compiled.tints) pictures.emplace(job);
 }
 
@@ -49,18 +50,24 @@ void Surfaces::trace(const Wave &wave) {
 
 void Surfaces::find(const Wave &wave, const Batch &batch) {
     trace(wave);
-    evaluate_(wave.count, scene_, wave, wave.level.rays, hits, hit_instances, media ? media->etas : no_floats, points, interfaces, directions);
+    const Buffer<float> &etas = media ? media->etas : no_floats;
+    if (choices)
+        choices->choose(wave.count, scene_, shared(scene_.texels()), wave, wave.level.rays, wave.level.paths, hits, hit_instances, updated(etas),
+                        choices->chosen);
+    evaluate_(wave.count, scene_, wave, wave.level.rays, hits, hit_instances, etas, choices ? choices->chosen : no_words, points, interfaces,
+              directions);
     if (pictures) pictures->look_up(wave.count, scene_, shared(scene_.texels()), wave, wave.level.rays, hits, hit_instances, points, pictures->tints);
     if (batch.aovs && wave.generation == 0) batch.aovs->record(batch, scene_, wave, hits, hit_instances, points, tints());
 }
 
 std::size_t Surfaces::bytes() const {
     return hits.bytes() + hit_instances.bytes() + points.bytes() + interfaces.bytes() + directions.bytes() + counter.bytes() +
-           (media ? media->bytes() : 0) + (pictures ? pictures->tints.bytes() : 0);
+           (media ? media->bytes() : 0) + (choices ? choices->chosen.bytes() : 0) + (pictures ? pictures->tints.bytes() : 0);
 }
 
 void Surfaces::add_skipped(std::vector<Skipped> &skipped) const {
     if (!media) skipped.push_back({"find_interfaces", "no material transmits: refracted rays and lists of media are not stored"});
+    if (!choices) skipped.push_back({"choose_materials", "no material chooses among others"});
     if (!pictures) skipped.push_back({"look_up_textures", "there are no pictures on surfaces or as background, and no vertex colours"});
 }
 

@@ -40,6 +40,7 @@ public:
     Buffer<Tints> no_tints;
     RayCounter counter;
     std::optional<Interfaces> media;
+    std::optional<Choices> choices;
     std::optional<Pictures> pictures;
 
 private:

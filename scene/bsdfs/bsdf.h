@@ -20,5 +20,7 @@ struct BsdfKind {
 const std::vector<BsdfKind> &bsdf_kinds();
 /// Sets kind, words and the flags that follow from them; eta, priority and emission are the caller's.
 Material make_material(const Whitted &whitted);
+/// Lets so much of the light pass straight on.
+Material make_null(Spectrum transmission);
 
 }  // namespace brandung

@@ -10,6 +10,7 @@ Material read_plastic(const Parameters &parameters, Scene &scene);
 Material read_phong(const Parameters &parameters, Scene &scene);
 Material read_dielectric(const Parameters &parameters, Scene &scene);
 Material read_thin_dielectric(const Parameters &parameters, Scene &scene);
+Material read_null(const Parameters &parameters, Scene &scene);
 
 const std::vector<BsdfKind> &bsdf_kinds() {
     static const std::vector<BsdfKind> kinds = {
@@ -20,6 +21,7 @@ const std::vector<BsdfKind> &bsdf_kinds() {
         {"phong", "ModifiedPhong", read_phong, false},
         {"dielectric", "Dielectric", read_dielectric, false},
         {"thin_dielectric", "ThinDielectric", read_thin_dielectric, false},
+        {"null", "Null", read_null, false},
     };
     return kinds;
 }

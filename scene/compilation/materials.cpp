@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include "scene/bsdfs/bsdf.h"
+#include "scene/bsdfs/choosing.h"
 #include "scene/compilation/parts.h"
 #include "scene/materials_in_use.h"
 
@@ -37,6 +39,19 @@ void add_textures(const Scene &scene, const std::vector<Material> &used_material
     compiled.tints |= !compiled.texels.empty();
 }
 
+/// Gives those that let all light pass by chance the number of a material which does.
+void add_passing_material(std::vector<Material> &materials, std::vector<Material> &used_materials) {
+    if (std::none_of(used_materials.begin(), used_materials.end(), lets_light_pass)) return;
+    for (Material &material : materials) fill_in_passing(material, uint(materials.size()));
+    used_materials.push_back(materials.emplace_back(make_null(Spectrum(1))));
+}
+
+/// Those that choose have none.
+std::vector<uint> kinds_of_bsdfs(std::vector<Material> used_materials) {
+    std::erase_if(used_materials, chooses);
+    return kinds_of(used_materials);
+}
+
 }  // namespace
 
 void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
@@ -49,12 +64,14 @@ void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
         used_materials.push_back(material);
         compiled.reflects |= (material.flags & MATERIAL_REFLECTS) != 0;
         compiled.transmits |= (material.flags & MATERIAL_TRANSMITS) != 0;
+        compiled.chooses |= chooses(material);
         compiled.highlights |= (material.flags & MATERIAL_HIGHLIGHT) != 0;
     }
     compiled.follows_one = compiled.transmits && scene.integrator.follows_one;
     count_media(scene, used, compiled);
     add_textures(scene, used_materials, compiled, arena);
-    compiled.bsdfs = kinds_of(used_materials);
+    add_passing_material(materials, used_materials);
+    compiled.bsdfs = kinds_of_bsdfs(used_materials);
     compiled.header.materials = arena.add(materials);
 }
 

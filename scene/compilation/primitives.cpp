@@ -91,7 +91,7 @@ void add_shading(const Scene &scene, const std::vector<Space> &spaces, CompiledS
         for (const PrimitiveOf &primitive : spaces[s].primitives) {
             const uint kind = number_of(compiled.primitives, primitive.shape->kind());
             ++compiled.counts[kind];
-            tables.wants_uvs = spaces[s].is_textured || is_textured(scene.materials.at(primitive.shape->material).record);
+            tables.wants_uvs = spaces[s].is_textured || is_textured(scene, primitive.shape->material);
             record->kind = kind, record->material = primitive.shape->material;
             primitive.shape->write_shading(primitive.i, record->words, tables);
             ++record;

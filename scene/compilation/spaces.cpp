@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "scene/bsdfs/choosing.h"
+
 namespace brandung {
 namespace {
 
@@ -34,7 +36,12 @@ std::size_t place_in(const std::vector<std::size_t> &used, std::size_t group) {
     return static_cast<std::size_t>(std::lower_bound(used.begin(), used.end(), group) - used.begin());
 }
 
-bool is_textured(const Material &material) { return material.diffuse_texture != 0 || material.specular_texture != 0; }
+bool is_textured(const Scene &scene, uint material) {
+    const Material &record = scene.materials.at(material).record;
+    const std::vector<uint> members = members_of(record);
+    return record.diffuse_texture != 0 || record.specular_texture != 0 ||
+           std::any_of(members.begin(), members.end(), [&](uint member) { return is_textured(scene, member); });
+}
 
 std::vector<Space> spaces_in_use(const Scene &scene) {
     std::vector<Space> spaces;
@@ -45,7 +52,7 @@ std::vector<Space> spaces_in_use(const Scene &scene) {
     }
     const std::vector<std::size_t> used = groups_in_use(scene);
     for (const PlacedGroup &instance : scene.instances) {
-        if (instance.material == NO_MATERIAL || !is_textured(scene.materials.at(instance.material).record)) continue;
+        if (instance.material == NO_MATERIAL || !is_textured(scene, instance.material)) continue;
         spaces[1 + place_in(used, instance.group)].is_textured = true;
     }
     return spaces;

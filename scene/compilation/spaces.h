@@ -34,6 +34,7 @@ std::vector<Space> spaces_in_use(const Scene &scene);
 /// Of the primitives in them, in the order of primitive_kinds().
 std::vector<const PrimitiveKind *> primitive_kinds_in_use(const Scene &scene);
 
-bool is_textured(const Material &material);
+/// Of a material, or one of its members.
+bool is_textured(const Scene &scene, uint material);
 
 }  // namespace brandung

@@ -6,6 +6,7 @@
 
 #include "scene/bsdfs/bsdf.h"
 #include "scene/cameras/camera.h"
+#include "scene/bsdfs/choosing.h"
 #include "scene/formats/format.h"
 #include "scene/lights/light.h"
 #include "scene/parameters.h"
@@ -36,13 +37,29 @@ template <class Thing> std::string new_name(const Parameters &parameters, const 
     return name;
 }
 
+Material read_material(const Parameters &parameters, Scene &scene) {
+    std::vector<std::string> types = names_of(bsdf_kinds());
+    for (const ChoosingKind &kind : choosing_kinds()) types.emplace_back(kind.name);
+    const std::size_t type = parameters.choice("type", types), bsdfs = bsdf_kinds().size();
+    return type < bsdfs ? bsdf_kinds()[type].read(parameters, scene) : read_choosing(parameters, choosing_kinds()[type - bsdfs], scene);
+}
+
 void read_materials(const Parameters &root, Scene &scene) {
     for (const Parameters &parameters : root.children("materials")) {
         const std::string name = new_name(parameters, scene.materials);
-        scene.materials.push_back({name, kind_of(parameters, bsdf_kinds()).read(parameters, scene)});
+        scene.materials.push_back({name, read_material(parameters, scene)});
         parameters.expect_all_known();
         place_warnings(scene, [&] { return parameters.place(""); });
     }
+}
+
+/// Of materials that choose: any of the scene, also those that files of meshes have brought along.
+void read_members(const Parameters &root, Scene &scene) {
+    const std::vector<Parameters> choosing = root.children("materials");
+    const std::vector<std::string> names = names_of(scene.materials);
+    for (std::size_t m = 0; m < choosing.size(); ++m)
+        if (chooses(scene.materials[m].record)) name_members(choosing[m], names, scene.materials[m].record);
+    for (std::size_t m = 0; m < choosing.size(); ++m) expect_members(choosing[m], scene, uint(m));
 }
 
 void read_lights(const Parameters &root, Scene &scene) {
@@ -172,6 +189,7 @@ Scene read_native(const std::string &file, const ReadOptions &options) {
     const std::vector<std::string> materials = names_of(scene.materials);
     read_groups(root, materials, scene);
     read_objects(root, true, materials, scene);
+    read_members(root, scene);
     read_cameras(root, scene);
     return scene;
 }

@@ -16,9 +16,11 @@
 #include "kernels/accelerators/wide_bvh.h"
 #include "kernels/accelerators/work.h"
 #include "kernels/bsdfs/bsdf.h"
+#include "kernels/bsdfs/choice.h"
 #include "kernels/bsdfs/conductor.h"
 #include "kernels/bsdfs/dielectric.h"
 #include "kernels/bsdfs/diffuse.h"
+#include "kernels/bsdfs/null.h"
 #include "kernels/bsdfs/phong.h"
 #include "kernels/bsdfs/plastic.h"
 #include "kernels/bsdfs/thin_dielectric.h"
@@ -138,6 +140,8 @@ const Layouts &host_layouts() {
         RECORD(ModifiedPhong, diffuse, specular, exponent),
         RECORD(Dielectric, reflection, transmission, alpha, distribution),
         RECORD(ThinDielectric, reflection, transmission),
+        RECORD(Null, transmission),
+        RECORD(Choice, members, by_side, amount),
         RECORD(BsdfPoint, wo, eta, diffuse_tint, specular_tint),
         RECORD(BsdfValue, value, pdf),
         RECORD(BsdfSample, wi, weight, pdf),

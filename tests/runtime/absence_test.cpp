@@ -12,6 +12,7 @@
 #include "runtime/opencl/embedded_kernels.h"
 #include "runtime/wavefront/specialization.h"
 #include "scene/accelerators/accelerator.h"
+#include "scene/bsdfs/choosing.h"
 #include "scene/filters/filter.h"
 #include "scene/kinds.h"
 #include "tests/support/primitives.h"
@@ -228,6 +229,17 @@ TEST(Absence, WithoutPicturesAndColoursOfVerticesNothingIsLookedUp) {
     expect_present(coloured(), "kernels/integrators/whitted.cl", "core/tints.cl");
     EXPECT_FALSE(launched_by(plain).contains("look_up_textures"));
     EXPECT_TRUE(launched_by(coloured()).contains("look_up_textures"));
+}
+
+TEST(Absence, WhereNoMaterialChoosesAmongOthersNoneIsChosen) {
+    Scene scene = spheres_only(matte(0.5f));
+    expect_absent(scene, {"bsdfs/choosing.cl"});
+    EXPECT_FALSE(launched_by(scene).contains("choose_materials"));
+    const uint other = add_material(scene, mirror(0.5f));
+    Scene mixed = spheres_only(make_choosing(choosing_kinds()[kind_number(choosing_kinds(), "mix")], {{other, other}, 0, Spectrum(0.5f)}));
+    ASSERT_EQ(add_material(mixed, mirror(0.5f)), other);
+    expect_present(mixed, "kernels/stages/evaluate_surfaces.cl", "bsdfs/choosing.cl");
+    EXPECT_TRUE(launched_by(mixed).contains("choose_materials"));
 }
 
 TEST(Absence, PicturesThatNothingShowsAreNotOnTheDevice) {

@@ -123,7 +123,11 @@ TEST(Vectorised, EveryMarkedLoopIs16WideInASceneWithEverything) {
     const Remarks remarks = parse(remarks_of(scene_of(R"(, "reflection": 0.3, "transmission": 0.5, "eta": 1.5, "fresnel": true)", "mitchell",
                                                       R"(, {"type": "instance", "group": "g", "transform": {"translate": [0, 2, 0]}},
             {"type": "triangle_mesh", "material": "m", "positions": [[1, 1, 0], [3, 1, 0], [2, 2, 0]], "colors": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
-             "indices": [0, 1, 2]})")));
+             "indices": [0, 1, 2]}, {"type": "sphere", "material": "mix", "center": [3, 0, 0], "radius": 1})",
+                                                      "both", "whitted",
+                                                      R"(, {"name": "bright", "type": "whitted"},
+            {"name": "mix", "type": "mix", "first": "bright", "second": "sided"}, {"name": "sided", "type": "two_sided", "front": "shiny", "back": "bright"},
+            {"name": "shiny", "type": "whitted", "reflection": 0.5})")));
     expect_no_failure(remarks);
     const std::set<std::string> loops = marked_loops();
     EXPECT_GE(loops.size(), 8u);

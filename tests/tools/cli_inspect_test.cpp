@@ -72,7 +72,7 @@ TEST(CliInspect, JsonHasTheseFields) {
     EXPECT_EQ(names(ray["hit"]), (Names{"group", "instance", "kind", "material", "object", "place", "primitive", "primitive_of_shape", "shape",
                                         "source", "t", "u", "v"}));
     EXPECT_EQ(names(ray["surface"]),
-              (Names{"cosine", "error", "geometric_normal", "origin_lit_side", "origin_other_side", "point", "shading_normal", "side"}));
+              (Names{"cosine", "error", "geometric_normal", "material", "origin_lit_side", "origin_other_side", "point", "shading_normal", "side"}));
     EXPECT_EQ(names(ray["unlit"]), (Names{"ambient", "background", "emission", "radiance"}));
     EXPECT_EQ(names(ray["contributions"][0]), (Names{"fixed_point", "radiance", "refused", "rows", "running_total"}));
     EXPECT_EQ(names(light), (Names{"asked", "blocker", "contribution", "direction", "emissive", "filter", "kind", "light", "origin", "passed",

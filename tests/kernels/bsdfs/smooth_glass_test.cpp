@@ -1,4 +1,4 @@
-/// Smooth interfaces and thin sheets: kernels/bsdfs/dielectric.cl, thin_dielectric.cl.
+/// What goes on in single directions: smooth interfaces, thin sheets, nothing at all: kernels/bsdfs/dielectric.cl, thin_dielectric.cl, null.cl.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -118,6 +118,17 @@ TEST(ThinDielectric, LightPassesStraightOn) {
         expect_single(sample(sheet, wo, 1 / 1.5, always), {-wo.x, -wo.y, wo.z}, mirror_factor, 0);
         expect_single(sample(sheet, wo, 1, always), -wo, passing_factor, 0);
     }
+}
+
+TEST(Null, LightPassesStraightOnInEveryMedium) {
+    const std::string tinted = R"({"type": "null", "transmission": [0.6, 0.5, 0.4]})";
+    for (const double eta : etas)
+        for (const double cosine : cosines)
+            for (const float choice : {always, never})
+                expect_single(sample(tinted, direction(cosine, 5), eta, choice), -direction(cosine, 5), passing_factor, 0);
+    const BsdfValue value = probed(tinted, 1).eval({direction(0.8, M_PI)}, {-direction(0.8, M_PI)})[0];
+    EXPECT_EQ(value.value, Spectrum(0));
+    EXPECT_EQ(value.pdf, 0);
 }
 
 }  // namespace

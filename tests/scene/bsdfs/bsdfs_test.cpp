@@ -47,11 +47,12 @@ TEST(Bsdfs, WhatCannotBeIsRefused) {
     EXPECT_EQ(error_of(R"({"type": "plastic", "eta": 1})"), "material:1: /eta: must be above 1");
     EXPECT_EQ(error_of(R"({"type": "phong", "diffuse": [0.5, 0.2, 0], "specular": [0.6, 0, 0]})"),
               "material:1: /specular: with the diffuse reflectance more light would leave than arrives: their sum is at most 1");
-    for (const char *text : {R"({"type": "diffuse", "reflectance": 1.5})", R"({"type": "conductor"})", R"({"type": "conductor", "eta": 1})",
-                             R"({"type": "conductor", "metal": "lead"})", R"({"type": "conductor", "metal": "gold", "eta": 1, "k": 1})",
-                             R"({"type": "conductor", "metal": "gold", "distribution": "phong"})", R"({"type": "plastic", "diffuse": 2})",
-                             R"({"type": "dielectric", "eta": 0})", R"({"type": "dielectric", "transmission": 1.5})",
-                             R"({"type": "dielectric", "roughness": -1})", R"({"type": "thin_dielectric", "roughness": 0.1})"})
+    for (const char *text :
+         {R"({"type": "diffuse", "reflectance": 1.5})", R"({"type": "conductor"})", R"({"type": "conductor", "eta": 1})",
+          R"({"type": "conductor", "metal": "lead"})", R"({"type": "conductor", "metal": "gold", "eta": 1, "k": 1})",
+          R"({"type": "conductor", "metal": "gold", "distribution": "phong"})", R"({"type": "plastic", "diffuse": 2})",
+          R"({"type": "dielectric", "eta": 0})", R"({"type": "dielectric", "transmission": 1.5})", R"({"type": "dielectric", "roughness": -1})",
+          R"({"type": "thin_dielectric", "roughness": 0.1})", R"({"type": "null", "transmission": 2})"})
         EXPECT_NE(error_of(text), "") << text;
 }
 
@@ -73,6 +74,7 @@ TEST(Bsdfs, GlassHasAnInside) {
     EXPECT_EQ(flags_of(R"({"type": "dielectric", "roughness": 0.2})"), MATERIAL_TRANSMITS | MATERIAL_LIT);
     EXPECT_EQ(flags_of(R"({"type": "dielectric", "transmission": 0})"), 0u);
     EXPECT_EQ(flags_of(R"({"type": "thin_dielectric"})"), 0u);
+    EXPECT_EQ(flags_of(R"({"type": "null"})"), 0u);
     const Material water = read(R"({"type": "dielectric", "eta": 1.33, "priority": 3})");
     EXPECT_EQ(water.eta, 1.33f);
     EXPECT_EQ(water.priority, 3u);

@@ -300,7 +300,8 @@ TEST(Native, RefusesWhatAKindOfCameraCannotBe) {
 TEST(Native, RefusesBadMaterials) {
     EXPECT_EQ(error_of(changed("\"grey\", \"type\"", "\"water\", \"type\"")), ":10: /materials/1/name: \"water\" is the name of an earlier one");
     EXPECT_EQ(error_of(changed("\"whitted\", \"diffuse\"", "\"glass\", \"diffuse\"")),
-              ":9: /materials/0/type: must be one of whitted, diffuse, conductor, plastic, phong, dielectric, thin_dielectric, got \"glass\"");
+              ":9: /materials/0/type: must be one of whitted, diffuse, conductor, plastic, phong, dielectric, thin_dielectric, null, mix, two_sided, "
+              "mask, got \"glass\"");
     EXPECT_EQ(error_of(changed(", \"type\": \"whitted\"}", "}")), ":10: /materials/1: \"type\" is missing");
     EXPECT_EQ(error_of(changed("1.33", "0")), ":9: /materials/0/eta: must be positive, got 0");
     EXPECT_EQ(error_of(changed("\"transmission\": 1", "\"transmission\": 1.5")), ":9: /materials/0/transmission: must be at most 1, got 1.5");

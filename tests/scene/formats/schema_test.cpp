@@ -7,6 +7,7 @@
 #include "scene/accelerators/accelerator.h"
 #include "scene/bsdfs/bsdf.h"
 #include "scene/cameras/camera.h"
+#include "scene/bsdfs/choosing.h"
 #include "scene/lights/light.h"
 #include "tests/scene/formats/temporary_file.h"
 
@@ -49,7 +50,9 @@ template <class Record> std::vector<std::byte> bytes_of(const Record &record) {
 
 TEST_F(Schema, NamesTheKindsThatTheReaderKnows) {
     EXPECT_EQ(types_of("shape"), names_of(shape_readers()));
-    EXPECT_EQ(types_of("material"), names_of(bsdf_kinds()));
+    std::vector<std::string> materials = names_of(bsdf_kinds());
+    for (const std::string &kind : names_of(choosing_kinds())) materials.push_back(kind);
+    EXPECT_EQ(types_of("material"), materials);
     EXPECT_EQ(types_of("light"), names_of(lights_of_files()));
     EXPECT_EQ(types_of("camera"), names_of(camera_kinds()));
     std::vector<std::string> accelerators = names_of(accelerator_kinds());
