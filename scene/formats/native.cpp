@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "scene/bsdfs/bsdf.h"
-#include "scene/cameras/camera.h"
 #include "scene/bsdfs/choosing.h"
+#include "scene/cameras/camera.h"
 #include "scene/formats/format.h"
 #include "scene/lights/light.h"
 #include "scene/parameters.h"

@@ -6,8 +6,8 @@
 
 #include "scene/accelerators/accelerator.h"
 #include "scene/bsdfs/bsdf.h"
-#include "scene/cameras/camera.h"
 #include "scene/bsdfs/choosing.h"
+#include "scene/cameras/camera.h"
 #include "scene/lights/light.h"
 #include "tests/scene/formats/temporary_file.h"
 
