@@ -130,7 +130,7 @@ void add_picture_options(CLI::App &command, SceneOptions &options) {
     command.add_option("--seed", options.seed, "seed of random numbers")->check(whole_numbers(0u, 0xffffffffu));
     command.add_option("--pixel", options.pixel, "where a single sample lies: corner, center or random");
     command.add_option("--sampler", options.sampler,
-                       "where more samples than one lie: sobol, or independent, which is noisier (default: the scene's)");
+                       "where more samples than one lie: sobol, independent, stratified or blue_noise (default: the scene's)");
     command.add_option("--filter", options.filter, "how samples count in their pixel: box, tent, gaussian, mitchell or blackman_harris");
     command
         .add_option("--aov", options.aovs,

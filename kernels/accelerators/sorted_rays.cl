@@ -1,6 +1,7 @@
 // Rays of a list sorted by the axis along which they go most: rows of them share the axis by which a triangle's vertices are turned.
 #pragma once
 #include "kernels/accelerators/packet.cl"
+#include "kernels/core/items.cl"
 #include "kernels/core/major_axis.cl"
 
 /// Work-items whose rays one of them sorts together: the more, the fewer lanes are left over.

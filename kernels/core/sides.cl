@@ -3,6 +3,9 @@
 #include "kernels/core/items.h"
 #include "kernels/core/lanes_1.cl"
 
+/// `v`, or its mirror image at the plane of `normal`, whichever is on the normal's side.
+FUNCTION vec3 folded(vec3 v, vec3 normal) { return plus(v, scaled(normal, maximum(-2.0f * dot3(v, normal), 0.0f))); }
+
 /// Never stored.
 typedef struct {
     vec3 normal, geometric;  ///< of shading and of the surface, on the side that the ray comes from

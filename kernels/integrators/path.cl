@@ -14,6 +14,7 @@
 #include "kernels/core/scene.cl"
 #include "kernels/core/sides.cl"
 #include "kernels/core/spawn.cl"
+#include "kernels/core/terminator.cl"
 #include "kernels/lights/choice.cl"
 #include "kernels/lights/light.cl"
 #include "kernels/samplers/slot.cl"
@@ -33,6 +34,11 @@ FUNCTION Frame frame_of(Sides sides, vec3 wo) { return frame_of(where(dot3(sides
 
 /// Whether a direction leads to the same side of the surface itself as of the shading normal's plane: `z` is its component along that normal.
 FUNCTION bool on_its_side(Sides sides, vec3 direction, float z) { return dot3(sides.geometric, direction) * z > 0.0f; }
+
+/// The factor by which light ends that is reflected in a direction, whose component along the frame's axis is z.
+FUNCTION float ending(Sides sides, Frame frame, vec3 direction, float z) {
+    return SHADING_NORMALS && z > 0.0f ? terminator_factor(frame.axis, sides.geometric, direction) : 1.0f;
+}
 
 /// A surface that a path has met.
 typedef struct {
@@ -66,16 +72,19 @@ typedef struct {
 
 /// In the direction `next`, unless chance ends it by `u` in [0, 1).
 FUNCTION NextPath next_path(MetSurface met, Path path, BsdfSample next, uint roulette_depth, float u) {
-    const vec3 wi = unit(from_frame(met.frame, next.wi));
-    const bool stays = next.wi.z > 0.0f;
+    const bool stays = next.wi.z > 0.0f, single = next.pdf == INFINITY;
+    const vec3 scattered = from_frame(met.frame, next.wi), outwards = scaled(met.sides.geometric, stays ? 1.0f : -1.0f);
+    // The shading normal may lead the only direction of a mirror to the wrong side of the surface: then its mirror image at the surface counts.
+    const vec3 wi = unit(SHADING_NORMALS && single ? folded(scattered, outwards) : scattered);
+    const Spectrum weight = scaled(next.weight, single ? 1.0f : ending(met.sides, met.frame, wi, next.wi.z));
     NextPath child;
     child.enters = !stays && TRANSMITS && (met.material->flags & MATERIAL_TRANSMITS) != 0u;
     // Radiance in a medium of index n has a factor n², which must not count as brightness.
     const float scale = child.enters ? 1.0f / (met.point.eta * met.point.eta) : 1.0f;
-    const float survival = path.depth >= roulette_depth ? minimum(largest(next.weight) * scale, 1.0f) : 1.0f;
+    const float survival = path.depth >= roulette_depth ? minimum(largest(weight) * scale, 1.0f) : 1.0f;
     child.path = path;
     child.path.depth = path.depth + 1u;
-    child.path.throughput = scaled(times(path.throughput, next.weight), survival > 0.0f ? 1.0f / survival : 0.0f);
+    child.path.throughput = scaled(times(path.throughput, weight), survival > 0.0f ? 1.0f / survival : 0.0f);
     child.path.branch = hash(path.branch * 2u);
     const vec3 origin = where(stays, met.sides.near, met.sides.far);
     child.ray = ray_spawn(origin, wi, stays ? RAY_REFLECTED : RAY_REFRACTED, SURFACE_PRIMITIVE(met.at.flags));
@@ -96,7 +105,8 @@ FUNCTION AskingRay asking_ray(MetSurface met, Path path, ChosenLight chosen, Lig
     const vec3 towards = to_frame(met.frame, sample.direction);
     const BsdfValue value = bsdf_eval(met.material, met.point, towards);
     const float weight = power_heuristic(value.pdf * inverse_light_density(chosen, sample));
-    const Spectrum received = scaled(times(value.value, sample.irradiance), chosen.inverse_chance * weight);
+    const Spectrum received =
+        scaled(times(value.value, sample.irradiance), chosen.inverse_chance * weight * ending(met.sides, met.frame, sample.direction, towards.z));
     const vec3 origin = where(towards.z > 0.0f, met.sides.near, met.sides.far);
     AskingRay asking;
     asking.ray = ray_to_light(origin, sample.ray_direction, sample.distance, SURFACE_PRIMITIVE(met.at.flags));

@@ -13,6 +13,7 @@
 #include "kernels/core/scene.cl"
 #include "kernels/core/sides.cl"
 #include "kernels/core/spawn.cl"
+#include "kernels/core/terminator.cl"
 #include "kernels/lights/light.cl"
 
 /// Tells the random number for the choice of a child from others of the same ray.
@@ -22,9 +23,6 @@ FUNCTION bool worth_tracing(Spectrum throughput, WhittedParams params, uint flag
     const float weight = largest(throughput);
     return (weight >= params.threshold) & ((weight > 0.0f) | ((flags & MATERIAL_SPAWNS_ALWAYS) != 0u));
 }
-
-/// `v`, or its mirror image at the plane of `normal`, whichever is on the normal's side.
-FUNCTION vec3 folded(vec3 v, vec3 normal) { return plus(v, scaled(normal, maximum(-2.0f * dot3(v, normal), 0.0f))); }
 
 /// One of a hit's two children is followed, as likely as what it counts in the most important channel; its weight makes up for that.
 typedef struct {
@@ -135,8 +133,9 @@ typedef struct {
 /// filters[row * stride + i] lets it through where shadows are filtered, and where `with_unlit` is 1 by what needs no light: background, emission,
 /// ambient light.
 kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint with_unlit, uint first_light, uint lights, uint stride, const global Path *restrict paths,
-                          const global SurfacePoint *restrict points, const global vec3 *restrict directions, const global Tints *restrict tints,
-                          const global uchar *restrict visible, const global Spectrum *restrict filters, global Spectrum *restrict contributions) {
+                          const global SurfacePoint *restrict points, const global SurfaceInterface *restrict interfaces,
+                          const global vec3 *restrict directions, const global Tints *restrict tints, const global uchar *restrict visible,
+                          const global Spectrum *restrict filters, global Spectrum *restrict contributions) {
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     const global uint *list = live + first;
@@ -172,7 +171,8 @@ kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint with_unlit, uint first
             const SurfacePoint surface = load(points + i);
             const LightSample sample = light_sample(scene, light, surface.origin, paths[list[i]].branch);
             const Spectrum irradiance = filtered(sample.irradiance, filters, row * stride + i);
-            const Spectrum value = times(phong_local(phong, surface.normal, load(directions + i), sample.direction), irradiance);
+            const float ending = SHADING_NORMALS ? terminator_factor(surface.normal, load(interfaces + i).geometric, sample.direction) : 1.0f;
+            const Spectrum value = scaled(times(phong_local(phong, surface.normal, load(directions + i), sample.direction), irradiance), ending);
             const bool lit = (row_visible[i] != 0) & ((surface.flags & SURFACE_LIT) != 0u);  // reads the whole record: see SurfacePoint
             columns.sum[0][c] += lit ? value.x : 0.0f, columns.sum[1][c] += lit ? value.y : 0.0f, columns.sum[2][c] += lit ? value.z : 0.0f;
         }

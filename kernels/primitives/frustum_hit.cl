@@ -55,3 +55,6 @@ FUNCTION Crossing frustum_crossing(const global FrustumBlock *block, uint j, Lan
     crossing.hit &= (in0 | in1) & (crossing.t <= ray.t_max);
     return crossing;
 }
+
+/// As triangle_may_meet: where it is known only by finding the crossing, it may be.
+FUNCTION mask frustum_may_meet(const global FrustumBlock *block, uint j, LaneRay ray, real doubt) { return ray.t_max >= 0.0f; }

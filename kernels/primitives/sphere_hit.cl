@@ -35,4 +35,7 @@ FUNCTION Crossing sphere_crossing(const global SphereBlock *block, uint j, LaneR
     sphere_box(block, j, &box);
     return within_box(crossing, box, ray);
 }
+
+/// As triangle_may_meet: where it is known only by finding the crossing, it may be.
+FUNCTION mask sphere_may_meet(const global SphereBlock *block, uint j, LaneRay ray, real doubt) { return ray.t_max >= 0.0f; }
 #undef SPHERE

@@ -39,7 +39,7 @@ public:
     explicit RayCollector(RaySample &sample) : sample_(sample) {}
 
     void see(const WaveRecords &wave) override {
-        RayQueue &closest = sample_[wave.generation == 0 ? 0 : are_coherent(wave.generation) ? 1 : 2];
+        RayQueue &closest = sample_[wave.generation == 0 ? 0 : wave.coherent ? 1 : 2];
         closest.rays.insert(closest.rays.end(), wave.begun.begin(), wave.begun.end());
         closest.sources.insert(closest.sources.end(), wave.begun_instances.begin(), wave.begun_instances.end());
         RayQueue &shadows = sample_[are_shadow_rays_coherent(wave.generation) ? 3 : 4];

@@ -7,17 +7,11 @@
 namespace brandung {
 namespace {
 
-/// Up to which a row of rays is through all of them before the same rays are through a hierarchy.
-constexpr uint few_blocks = 8;
-
-uint blocks_of(const CompiledScene &scene) {
-    uint blocks = 0;
-    for (const Span &of_kind : scene.header.world.blocks) blocks += of_kind.count;
-    return blocks;
-}
+/// Up to so many a row of rays is through all of them before the same rays are through a hierarchy; beyond the other number it takes for ever.
+constexpr std::size_t few_primitives = 48, most_primitives = 2048;
 
 bool pays(const Traversal &traversal, const DeviceInfo &device, const CompiledScene &scene) {
-    if (traversal.for_few && blocks_of(scene) > few_blocks) return false;
+    if (traversal.for_few && scene.primitive_count > few_primitives) return false;
     return traversal.pays_on == Traversal::PaysOn::all || (traversal.pays_on == Traversal::PaysOn::cpus) == device.cpu;
 }
 
@@ -27,8 +21,8 @@ const std::vector<Traversal> &traversals() {
     using enum Traversal::PaysOn;
     using enum RayLanes;
     static const std::vector<Traversal> list = {
-        {"rows", "intersect_rows", "trace_shadow_rays_rows", eight, &AcceleratorKind::rows, cpus, false, true},
         {"packets", "intersect_packets", "trace_shadow_rays", eight, &AcceleratorKind::packets, cpus, true, false},
+        {"rows", "intersect_rows", "trace_shadow_rays_rows", eight, &AcceleratorKind::rows, cpus, false, true},
         {"interleaved", "intersect_interleaved", "trace_shadow_rays_interleaved", eight, &AcceleratorKind::interleaved, cpus, false, false},
         {"scalar", "intersect", "trace_shadow_rays_singly", one, &AcceleratorKind::scalar, others, false, false},
         {"single", "intersect", "trace_shadow_rays_singly", eight, nullptr, all, false, false},
@@ -37,7 +31,7 @@ const std::vector<Traversal> &traversals() {
 }
 
 bool is_available(const Traversal &traversal, const DeviceInfo &device, const CompiledScene &scene) {
-    if (traversal.for_few && scene.instances) return false;
+    if (traversal.for_few && (scene.instances || scene.primitive_count > most_primitives)) return false;
     return (device.cpu || pays(traversal, device, scene)) && (traversal.support == nullptr || scene.accelerator->*traversal.support);
 }
 

@@ -20,7 +20,7 @@ struct Traversal {
     bool AcceleratorKind::*support;  ///< what the accelerator must have; null: all have it
     PaysOn pays_on;
     bool for_coherent;  ///< pays for rays that stay together only
-    bool for_few;       ///< goes through all blocks of primitives: pays where these are few, and knows no instances
+    bool for_few;       ///< goes through all primitives: pays where these are few, and knows no instances
 };
 /// THE list of traversals: of those that there are and that pay, a render takes the first.
 const std::vector<Traversal> &traversals();
@@ -34,8 +34,8 @@ const Traversal &traversal_of_render(bool coherent, const DeviceInfo &device, co
 /// One of its stages: &Traversal::closest_hit or any_hit.
 Kernel traversal_kernel(Device &device, const Traversal &traversal, const char *Traversal::*question, const CompiledScene &compiled);
 
-/// Rays from the eye stay together, and so does what mirrors and glass make of them once; the others go their own ways.
-inline bool are_coherent(uint generation) { return generation <= 1; }
+/// Rays from the eye stay together, and so does what mirrors and glass make of them once; paths scatter, and the others go their own ways.
+inline bool are_coherent(uint generation, bool paths) { return generation == 0 || (generation == 1 && !paths); }
 
 /// Shadow rays from the first reflections are scattered already.
 inline bool are_shadow_rays_coherent(uint generation) { return generation == 0; }

@@ -30,8 +30,8 @@ Observation::Observation(Device &device, uint batch, uint branching, uint interi
     records.interior_size = interior_size;
 }
 
-void Observation::begin(const Wave &wave) {
-    records = {.generation = wave.generation, .base = wave.base, .interior_size = records.interior_size};
+void Observation::begin(const Wave &wave, bool coherent) {
+    records = {.generation = wave.generation, .coherent = coherent, .base = wave.base, .interior_size = records.interior_size};
     records.slots = wave.level.live.read(wave.first, wave.count);
     records.begun = gather(wave.level.rays, records.slots);
     records.begun_instances = wave.level.sources.size() > 0 ? gather(wave.level.sources, records.slots) : std::vector<uint>(wave.count);

@@ -8,8 +8,8 @@ namespace brandung {
 struct Observation {
     Observation(Device &device, uint batch, uint branching, uint interior_size);
 
-    /// Before the wave's rays are traced.
-    void begin(const Wave &wave);
+    /// Before the wave's rays are traced, as `coherent` says.
+    void begin(const Wave &wave, bool coherent);
     /// The interfaces that they have met; `beyond`: the media behind, by item.
     void record_hits(const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances, const Buffer<SurfacePoint> &points,
                      const Buffer<SurfaceInterface> &interfaces, const Buffer<vec3> &directions, const Buffer<uint> &beyond);

@@ -20,6 +20,7 @@ Surfaces::Surfaces(const IntegratorJob &job, bool bounces, std::size_t tallies)
       counter(job.device, tallies),
       scene_(job.on_device),
       interior_size_(job.compiled.interior_size),
+      paths_(job.compiled.paths),
       evaluate_(job.device, "kernels/stages/evaluate_surfaces.cl", "evaluate_surfaces", scene_.lists()),
       intersect_together_(tracing_kernel(job, true, &Traversal::closest_hit)) {
     if (bounces) intersect_apart_.emplace(tracing_kernel(job, false, &Traversal::closest_hit));
@@ -38,7 +39,7 @@ void Surfaces::start(Level &first, const Batch &batch) {
 }
 
 void Surfaces::trace(const Wave &wave) {
-    Kernel &intersect = are_coherent(wave.generation) ? intersect_together_ : *intersect_apart_;
+    Kernel &intersect = stay_together(wave) ? intersect_together_ : *intersect_apart_;
     intersect(wave.count, scene_, wave, wave.level.rays, wave.level.sources, hits, hit_instances, media ? media->crowded : no_bytes,
               shared(counter.tallies()));
     counter.add(intersect.work_items(wave.count));

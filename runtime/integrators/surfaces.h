@@ -15,6 +15,8 @@ public:
 
     /// Side arrays of camera rays, before the rays themselves are generated: all of a batch begin in the media that the eye is in.
     void start(Level &first, const Batch &batch);
+    /// Whether the wave's rays are traced as such that do.
+    bool stay_together(const Wave &wave) const { return are_coherent(wave.generation, paths_); }
     /// Fills the arrays below for a wave's rays; tells the batch's AOVs of what camera rays meet.
     void find(const Wave &wave, const Batch &batch);
 
@@ -48,6 +50,7 @@ private:
 
     const DeviceScene &scene_;
     uint interior_size_;
+    bool paths_;
     Kernel evaluate_, intersect_together_;
     std::optional<Kernel> intersect_apart_;
 };

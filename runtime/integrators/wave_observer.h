@@ -31,6 +31,7 @@ struct LightBlockRecords {
 /// A wave of rays; item i of every vector is that of the wave's ray i.
 struct WaveRecords {
     uint generation = 0;
+    bool coherent = true;     ///< whether its rays are traced as such that stay together
     uint base = 0;            ///< child j of ray i goes to slot base + j * count + i of the next generation
     std::vector<uint> slots;  ///< of the rays, in their generation
     std::vector<Ray> begun;   ///< as spawned

@@ -13,8 +13,7 @@ class DeviceScene {
 public:
     /// Copies records and texels to the device, and writes the generated files. Throws Error if one allocation of the device cannot hold the arena or
     /// the texels.
-    DeviceScene(Device &device, const CompiledScene &scene)
-        : DeviceScene(device, scene, traversal_of_render(false, device.info(), scene).lanes) {}
+    DeviceScene(Device &device, const CompiledScene &scene) : DeviceScene(device, scene, traversal_of_render(false, device.info(), scene).lanes) {}
     /// For all kernels but those of traversals that are chosen for their rays.
     DeviceScene(Device &device, const CompiledScene &scene, RayLanes lanes)
         : header_(device, std::span(&scene.header, 1)),

@@ -36,8 +36,8 @@ struct BuiltAccelerator {
 using Hulls = std::function<Hull(uint reference)>;
 
 /// `kernels/accelerators/<file>.cl` traverses what `build` makes; with `packets`, <file>_packets.cl does so with packets of rays, with `interleaved`,
-/// <file>_interleaved.cl with rays in turn, with `scalar`, <file>_scalar.cl with rays of one lane. With `rows`, few primitives are gone through block by
-/// block. Without `qualities` all are built alike.
+/// <file>_interleaved.cl with rays in turn, with `scalar`, <file>_scalar.cl with rays of one lane. With `rows`, few primitives are gone through
+/// block by block. Without `qualities` all are built alike.
 struct AcceleratorKind {
     const char *name, *file;
     bool packets, interleaved, scalar, rows, qualities;

@@ -7,6 +7,8 @@ const std::vector<SamplerKind> &sampler_kinds() {
     static const std::vector<SamplerKind> kinds = {
         {"sobol"},
         {"independent"},
+        {"stratified"},
+        {"blue_noise"},
     };
     return kinds;
 }

@@ -172,13 +172,34 @@ void add_faceted_ball(Scene &scene, uint material) {
 
 /// Interpolated normals bend what is mirrored, but never into the body: from a convex mirror all rays leave.
 TEST(ShadingNormals, MirrorNothingIntoAConvexBody) {
-    Scene scene = scene_seen_from({0.3f, 1, 4}, {0, 0, 0}, 32, 100);
-    scene.background = Spectrum(1);
-    scene.integrator.max_depth = 4;
-    add_faceted_ball(scene, add_material(scene, mirror(0.5f)));
-    const Rendering rendering = render_scene(scene);
-    EXPECT_GT(rendering.counts.rays[RAY_REFLECTED], 3000u);
-    EXPECT_EQ(rendering.counts.hits[RAY_REFLECTED], 0u);
+    for (const char *integrator : {"whitted", "path"}) {
+        Scene scene = scene_seen_from({0.3f, 1, 4}, {0, 0, 0}, 32, 100);
+        scene.background = Spectrum(1);
+        scene.integrator.type = integrator, scene.integrator.max_depth = 4;
+        add_faceted_ball(scene, add_material(scene, mirror(0.5f)));
+        const Rendering rendering = render_scene(scene);
+        EXPECT_GT(rendering.counts.rays[RAY_REFLECTED], 3000u) << integrator;
+        EXPECT_EQ(rendering.counts.hits[RAY_REFLECTED], 0u) << integrator;
+    }
+}
+
+/// Light from aside falls smoothly to 0 on a ball of facets, on those too that the shading normals alone would light, by both methods.
+TEST(ShadingNormals, LightEndsSmoothlyOnFacets) {
+    for (const char *integrator : {"whitted", "path"}) {
+        Scene scene = scene_seen_from({0, 0, 6}, {0, 0, 0}, 20, 200);
+        scene.integrator.type = integrator;
+        scene.integrator.max_depth = 1;
+        add_faceted_ball(scene, add_material(scene, matte(1)));
+        scene.lights.push_back(directional_light({1, 0, 0}, Spectrum(1)));
+        const Rendering rendering = render_scene(scene);
+        float brightest = 0, steepest = 0;
+        for (uint x = 30; x + 1 < 170; ++x) {
+            const float here = rendering.picture[100 * 200 + x].x, next = rendering.picture[100 * 200 + x + 1].x;
+            brightest = std::max(brightest, here), steepest = std::max(steepest, std::abs(next - here));
+        }
+        EXPECT_GT(brightest, 0.2f) << integrator;
+        EXPECT_LT(steepest, 0.1f * brightest) << integrator;
+    }
 }
 
 /// And what is refracted goes in.

@@ -8,8 +8,16 @@ namespace {
 
 const DeviceInfo cpu{.cpu = true}, gpu{.cpu = false};
 
-std::string chosen(bool coherent, const DeviceInfo &device, const char *accelerator) {
-    return traversal_of_render(coherent, device, find_accelerator(accelerator)).name;
+CompiledScene scene_of(const char *accelerator, std::size_t primitives, bool instances = false) {
+    CompiledScene scene;
+    scene.accelerator = &find_accelerator(accelerator);
+    scene.primitive_count = primitives;
+    scene.instances = instances;
+    return scene;
+}
+
+std::string chosen(bool coherent, const DeviceInfo &device, const char *accelerator, std::size_t primitives = 100) {
+    return traversal_of_render(coherent, device, scene_of(accelerator, primitives)).name;
 }
 
 TEST(Traversals, ACpuTakesPacketsWhereRaysStayTogetherAndTurnsWhereTheyDoNot) {
@@ -18,6 +26,17 @@ TEST(Traversals, ACpuTakesPacketsWhereRaysStayTogetherAndTurnsWhereTheyDoNot) {
     EXPECT_EQ(chosen(true, cpu, "none"), "packets");
     EXPECT_EQ(chosen(false, cpu, "none"), "single");
     EXPECT_EQ(chosen(true, cpu, "octree"), "single");
+}
+
+TEST(Traversals, ACpuGoesThroughFewPrimitivesInRows) {
+    EXPECT_EQ(chosen(false, cpu, "wide_bvh", 48), "rows");
+    EXPECT_EQ(chosen(false, cpu, "wide_bvh", 49), "interleaved");
+    EXPECT_EQ(chosen(true, cpu, "wide_bvh", 48), "packets");
+    EXPECT_EQ(chosen(false, cpu, "none", 48), "rows");
+    EXPECT_EQ(chosen(false, cpu, "none", 49), "single");
+    EXPECT_EQ(chosen(false, cpu, "kd_tree", 48), "single");
+    EXPECT_EQ(chosen(false, gpu, "wide_bvh", 48), "scalar");
+    EXPECT_EQ(std::string(traversal_of_render(false, cpu, scene_of("wide_bvh", 48, true)).name), "interleaved");
 }
 
 TEST(Traversals, OtherDevicesTakeTheScalarOneWhereThereIsOne) {
@@ -29,14 +48,15 @@ TEST(Traversals, OtherDevicesTakeTheScalarOneWhereThereIsOne) {
 }
 
 TEST(Traversals, ACpuCanTryAllThatAnAcceleratorHasAndOtherDevicesThoseThatPayThere) {
-    const auto available = [](const DeviceInfo &device, const char *accelerator) {
+    const auto available = [](const DeviceInfo &device, const char *accelerator, std::size_t primitives = 100) {
         std::string names;
         for (const Traversal &traversal : traversals())
-            if (is_available(traversal, device, find_accelerator(accelerator))) names += std::string(traversal.name) + " ";
+            if (is_available(traversal, device, scene_of(accelerator, primitives))) names += std::string(traversal.name) + " ";
         return names;
     };
-    EXPECT_EQ(available(cpu, "wide_bvh"), "packets interleaved scalar single ");
-    EXPECT_EQ(available(cpu, "none"), "packets single ");
+    EXPECT_EQ(available(cpu, "wide_bvh"), "packets rows interleaved scalar single ");
+    EXPECT_EQ(available(cpu, "wide_bvh", 5000), "packets interleaved scalar single ");
+    EXPECT_EQ(available(cpu, "none"), "packets rows single ");
     EXPECT_EQ(available(cpu, "kd_tree"), "single ");
     EXPECT_EQ(available(gpu, "wide_bvh"), "scalar single ");
     EXPECT_EQ(available(gpu, "none"), "single ");
@@ -44,7 +64,9 @@ TEST(Traversals, ACpuCanTryAllThatAnAcceleratorHasAndOtherDevicesThoseThatPayThe
 
 TEST(Traversals, WhatACpuTakesHasEightLanes) {
     for (const AcceleratorKind &kind : accelerator_kinds())
-        for (const bool coherent : {false, true}) EXPECT_EQ(traversal_of_render(coherent, cpu, kind).lanes, RayLanes::eight) << kind.name;
+        for (const bool coherent : {false, true})
+            for (const std::size_t primitives : {1, 100})
+                EXPECT_EQ(traversal_of_render(coherent, cpu, scene_of(kind.name, primitives)).lanes, RayLanes::eight) << kind.name;
 }
 
 TEST(Traversals, ADeviceIsToldFromItsType) {

@@ -8,10 +8,10 @@
 
 namespace brandung {
 
-/// With `use` above 0 the pairs of that use instead.
+/// With `use` above 0 the pairs of that use instead. `spp`: samples per pixel of the render.
 inline std::vector<vec2> positions(const std::string &sampler, const std::vector<uint> &pixels, const std::vector<uint> &samples, uint seed,
-                                   uint use = 0) {
-    const BatchParams batch{.pixels = 0, .first_sample = 0, .samples = 0, .spp = 2, .seed = seed, .position = PIXEL_CENTER};
+                                   uint use = 0, uint spp = 64) {
+    const BatchParams batch{.pixels = 0, .first_sample = 0, .samples = 0, .spp = spp, .seed = seed, .position = PIXEL_CENTER};
     return Probe("#include \"kernels/samplers/" + sampler + R"(.cl"
         kernel void probe(const global uint *pixels, const global uint *samples, const global BatchParams *batch, const global uint *use,
                           global vec2 *positions) {

@@ -52,8 +52,10 @@ TEST_P(SamplerOf, PixelsHalvesSeedsAndAxesAreIndependent) {
     const auto x = [](const std::vector<vec2> &points, uint by = 0) { return [&points, by](uint i) { return points[(i + by) % n].x; }; };
     const auto y = [](const std::vector<vec2> &points, uint by = 0) { return [&points, by](uint i) { return points[(i + by) % n].y; }; };
     EXPECT_NEAR(correlation(x(a), y(a)), 0, bound);
-    EXPECT_NEAR(correlation(x(a), x(a, 1)), 0, bound);
-    EXPECT_NEAR(correlation(y(a), y(a, 256)), 0, bound);
+    if (GetParam() != "blue_noise") {  // whose neighbours are not
+        EXPECT_NEAR(correlation(x(a), x(a, 1)), 0, bound);
+        EXPECT_NEAR(correlation(y(a), y(a, 256)), 0, bound);
+    }
     EXPECT_NEAR(correlation(x(a), x(other_seed)), 0, bound);
     EXPECT_NEAR(correlation(x(a), x(other_half)), 0, bound);
     EXPECT_NEAR(correlation(y(a), y(other_half)), 0, bound);
