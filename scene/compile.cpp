@@ -42,6 +42,7 @@ void use_everything(const Scene &scene, CompiledScene &compiled) {
     compiled.bsdfs = numbers_of(bsdf_kinds()), compiled.lights = numbers_of(light_kinds());
     compiled.reflects = compiled.transmits = compiled.chooses = compiled.emissive_instances = compiled.environment = compiled.highlights =
         compiled.shading_normals = compiled.tints = true;
+    compiled.bundles = compiled.paths;
     compiled.filters_shadows = scene.integrator.filtered_shadows;
     compiled.interior_size = max_interior_size;
 }
@@ -52,7 +53,7 @@ CompiledScene compile(const Scene &scene, const CompileOptions &options) {
     CompiledScene compiled;
     compiled.warnings = scene.warnings;
     compiled.warning_places = scene.warning_places;
-    compiled.paths = scene.integrator.type == "path";
+    compiled.paths = scene.integrator.traces_paths();
     if (scene.integrator.type == "whitted") expect_whitted(scene);
     Arena arena(compiled.arena);
     add_primitives(scene, options, compiled, arena);

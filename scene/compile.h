@@ -31,7 +31,8 @@ struct CompiledScene {
     const AcceleratorKind *accelerator = nullptr;
     bool reflects = false, transmits = false;  ///< whether any material spawns such rays
     bool instances = false;                    ///< whether rays look into groups
-    bool paths = false;                        ///< whether rays go on from every surface, each with one child at most
+    bool paths = false;                        ///< whether rays go on from every surface
+    bool bundles = false;                      ///< whether they go on from the first surface as several, or ask for light there several times
     bool follows_one = false;                  ///< whether of a reflected and a refracted ray one is chosen
     bool filters_shadows = false;              ///< whether transparent objects let light through, and there are some
     bool emissive_instances = false;           ///< whether any light is an emissive shape of an instance
@@ -40,6 +41,7 @@ struct CompiledScene {
     bool shading_normals = false;              ///< whether any primitive has normals of its own for shading
     bool chooses = false;                      ///< whether any material stands for others, of which one counts at every hit
     bool tints = false;                        ///< whether pictures or vertices give any hit or miss a colour
+    uint bundle = 1;                           ///< rays that go on from the first surface, at most
     uint interior_size = 0;                    ///< entries of a ray's list of media: at least the number of `media` up to max_interior_size
     uint media = 0;                            ///< transparent materials of things, and those that an eye is in, if there are things to refract
     std::size_t primitive_count = 0;           ///< those of a group count once

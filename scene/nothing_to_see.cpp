@@ -41,7 +41,7 @@ Surfaces surfaces_of(const Scene &scene) {
 void warn_of_black_objects(Scene &scene) {
     const Surfaces surfaces = surfaces_of(scene);
     const bool has_lights = !scene.lights.empty(), has_ambient = largest(scene.ambient) > 0, has_background = largest(scene.background) > 0;
-    const bool is_lit = has_lights || (has_background && scene.integrator.type == "path");
+    const bool is_lit = has_lights || (has_background && scene.integrator.traces_paths());
     if (surfaces.shine || (surfaces.lit && is_lit) || (surfaces.ambient && has_ambient) || (surfaces.pass_on && has_background)) return;
     if (!has_lights && !has_ambient) {
         ++scene.warnings["the scene has neither lights nor ambient light nor emission: its objects are black"];

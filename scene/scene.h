@@ -63,10 +63,15 @@ struct IntegratorSettings {
     uint max_depth = 5;             ///< rays in a chain, the eye ray being 1
     float threshold = 0;            ///< rays of smaller weight are not spawned
     uint light_samples = 1;         ///< of an emissive surface, the square root of how many of its points light another; 0: it lights nothing
+    Bundles bundles{4, 4, 4, 4};    ///< of distributed rays
     uint roulette_depth = 4;        ///< from this surface of a path on, rays may end by chance
     bool follows_one = false;       ///< of a reflected and a refracted ray one is followed, chosen at random, instead of both
     bool filtered_shadows = false;  ///< transparent objects let light through, straight on
     bool shadows_unsaid = false;    ///< whether neither the scene's file, which could, nor an option says how shadows are
+
+    /// Whether rays go on from every surface.
+    bool traces_paths() const { return type == "path" || type == "distributed"; }
+    Bundles bundles_in_use() const { return type == "distributed" ? bundles : Bundles{1, 1, 1, 1}; }
 };
 
 struct NamedMaterial {

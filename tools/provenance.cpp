@@ -11,6 +11,10 @@ namespace brandung {
 
 std::string program_version() { return "brandung " BRANDUNG_VERSION " (" BRANDUNG_GIT ")"; }
 
+std::string text_of(const Bundles &bundles) {
+    return fmt::format("light={},diffuse={},glossy={},transmission={}", bundles.light, bundles.diffuse, bundles.glossy, bundles.transmission);
+}
+
 std::string scene_fingerprint(const Job &job) { return fmt::format("{:016x}", scene_hash(job.scene, job.compiled)); }
 
 std::map<std::string, std::string> settings_of(const Job &job) {
@@ -26,6 +30,7 @@ std::map<std::string, std::string> settings_of(const Job &job) {
             {"max_depth", std::to_string(integrator.max_depth)},
             {"threshold", fmt::format("{}", integrator.threshold)},
             {"light_samples", std::to_string(integrator.light_samples)},
+            {"bundles", text_of(integrator.bundles_in_use())},
             {"follow", integrator.follows_one ? "one" : "both"},
             {"shadows", integrator.filtered_shadows ? "filtered" : "opaque"},
             {"seed", std::to_string(film.seed)},

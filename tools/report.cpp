@@ -12,6 +12,7 @@
 #include "scene/kinds.h"
 #include "scene/lights/light.h"
 #include "scene/samplers/sampler.h"
+#include "tools/provenance.h"
 #include "tools/report_text.h"
 
 namespace brandung {
@@ -33,6 +34,7 @@ std::vector<std::string> features_in_use(const Job &job) {
     used.push_back(std::string("filter ") + filter_kinds()[compiled.filter].name);
     for (const uint aov : scene.film.aovs) used.push_back(std::string("AOV ") + aov_kinds()[aov].name);
     used.push_back("integrator " + scene.integrator.type);
+    if (compiled.bundles) used.push_back("bundles of rays: " + text_of(scene.integrator.bundles_in_use()));
     if (compiled.instance_count > 0) used.push_back(counted(compiled.instance_count, "instance") + " of " + counted(compiled.group_count, "group"));
     if (compiled.shading_normals) used.push_back("shading normals");
     if (compiled.texture_count > 0) used.push_back(counted(compiled.texture_count, "texture"));

@@ -78,6 +78,7 @@ std::vector<std::string> assignments(const SceneOptions &options) {
     if (!options.filter.empty()) add("film.filter", options.filter);
     if (options.max_depth) add("integrator.max_depth", std::to_string(*options.max_depth));
     if (options.light_samples) add("integrator.light_samples", std::to_string(*options.light_samples));
+    for (const std::string &bundle : options.bundles) all.push_back("integrator.bundles." + bundle);
     if (!options.follow.empty()) add("integrator.follow", options.follow);
     if (!options.shadows.empty()) add("integrator.shadows", options.shadows);
     if (!options.integrator.empty()) add("integrator.type", options.integrator);
@@ -169,6 +170,13 @@ void add_light_options(CLI::App &command, SceneOptions &options) {
                         "from none (default: the scene's, or 1; of a mesh file {})",
                         mesh_light_samples))
         ->check(whole_numbers(0u, MAX_LIGHT_SAMPLES));
+    command
+        .add_option("--bundles", options.bundles,
+                    "of integrator distributed: how many rays the surface sends that the eye sees, by what they are for: light, diffuse, glossy, "
+                    "transmission; several as light=16,glossy=4 (default: the scene's, or 4 each)")
+        ->delimiter(',')
+        ->expected(1)
+        ->take_all();
     command.add_option("--follow", options.follow,
                        "of rays reflected and refracted by one surface: both, or one, chosen at random (default: the scene's)");
     command.add_option("--shadows", options.shadows, "of transparent objects: opaque, or filtered, which lets light through (default: the scene's)");

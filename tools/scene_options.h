@@ -16,6 +16,7 @@ struct SceneOptions {
     std::string scene, integrator, accelerator, accelerator_quality, follow, shadows, size, crop, pixel, sampler, filter, exposure, tone, camera,
         background, device;
     std::vector<std::string> aovs;
+    std::vector<std::string> bundles;   ///< "KIND=SIZE"
     std::string from, at, up;           ///< "X,Y,Z", or empty for the camera's own
     std::optional<float> fov;           ///< [degrees]
     std::vector<std::string> settings;  ///< "KEY=VALUE"

@@ -36,7 +36,7 @@ typedef struct {
     Spectrum throughput;  ///< what its radiance counts in its sample
     uint slot;            ///< its sample: an entry of the running batch
     uint branch;          ///< hash of the way from the eye to here, for random numbers
-    uint depth;           ///< 1 for rays from the eye
+    uint depth;           ///< 1 for rays from the eye; of bundles see kernels/integrators/bundle.cl
 } Path;
 
 #define SURFACE_HIT 1u         ///< the ray hit something

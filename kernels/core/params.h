@@ -34,7 +34,19 @@ typedef struct {
     float threshold;  ///< rays of smaller weight are not spawned
 } WhittedParams;
 
+#define MAX_BUNDLE 1024u
+// In Path.depth of a path that is a part of a bundle, above the number of its next surface: bits of the part's number, and of the count of parts - 1.
+#define SURFACE_BITS 10u
+#define PART_BITS 10u
+
+/// Rays that one surface sends for each kind of what it does, 1 to MAX_BUNDLE.
+typedef struct {
+    uint light;                          ///< that ask for light
+    uint diffuse, glossy, transmission;  ///< that go on: of a material of several kinds, the most of these
+} Bundles;
+
 typedef struct {
     uint max_depth;       ///< surfaces that scatter the light of a path
     uint roulette_depth;  ///< from this surface on, rays go on as likely as their surfaces are bright
+    Bundles bundles;      ///< of the surfaces that the eye sees; those of others are of one
 } PathParams;

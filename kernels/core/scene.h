@@ -26,6 +26,9 @@ typedef struct {
 #define MATERIAL_DARK_BACK 64u     ///< or only the other one
 #define MATERIAL_SHINES 128u       ///< its emission is not black
 #define MATERIAL_CHOOSES 256u      ///< at every hit another one counts in its place: kernels/bsdfs/choice.h
+#define MATERIAL_DIFFUSE 512u      ///< it takes bundles of rays that go on as large as for diffuse reflection,
+#define MATERIAL_GLOSSY 1024u      ///< for reflection of other kinds, unless that is one ray,
+#define MATERIAL_PASSES 2048u      ///< or for transmission
 
 /// A surface's material; 128 bytes. `words` is the kind's own.
 typedef struct {

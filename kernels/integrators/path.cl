@@ -1,5 +1,5 @@
 // Path tracing (Kajiya, SIGGRAPH 1986) with light asked at every surface, both ways of finding it weighted by Veach's power heuristic (thesis 1997,
-// section 9.2). The loop over these kernels is runtime/integrators/path.cpp.
+// section 9.2); from the surface that the eye sees on in bundles, where there are some. The loop over these kernels is runtime/integrators/path.cpp.
 #include "generated/constants.h"
 #include "generated/instances.cl"
 #include "generated/interior.cl"
@@ -15,6 +15,7 @@
 #include "kernels/core/sides.cl"
 #include "kernels/core/spawn.cl"
 #include "kernels/core/terminator.cl"
+#include "kernels/integrators/bundle.cl"
 #include "kernels/lights/choice.cl"
 #include "kernels/lights/light.cl"
 #include "kernels/samplers/slot.cl"
@@ -65,13 +66,13 @@ FUNCTION MetSurface met_surface(const global Material *materials, SurfacePoint a
 typedef struct {
     Ray ray;
     Path path;
-    float pdf;    ///< of the ray's direction, as of BsdfSample
+    float pdf;    ///< of the ray's direction, as of BsdfSample, times the rays that go on for each that asks for light
     bool enters;  ///< what is behind the surface
     bool lives;
 } NextPath;
 
 /// In the direction `next`, unless chance ends it by `u` in [0, 1).
-FUNCTION NextPath next_path(MetSurface met, Path path, BsdfSample next, uint roulette_depth, float u) {
+FUNCTION NextPath next_path(MetSurface met, Path path, BundleRow row, BsdfSample next, uint roulette_depth, float u) {
     const bool stays = next.wi.z > 0.0f, single = next.pdf == INFINITY;
     const vec3 scattered = from_frame(met.frame, next.wi), outwards = scaled(met.sides.geometric, stays ? 1.0f : -1.0f);
     // The shading normal may lead the only direction of a mirror to the wrong side of the surface: then its mirror image at the surface counts.
@@ -81,15 +82,16 @@ FUNCTION NextPath next_path(MetSurface met, Path path, BsdfSample next, uint rou
     child.enters = !stays && TRANSMITS && (met.material->flags & MATERIAL_TRANSMITS) != 0u;
     // Radiance in a medium of index n has a factor n², which must not count as brightness.
     const float scale = child.enters ? 1.0f / (met.point.eta * met.point.eta) : 1.0f;
-    const float survival = path.depth >= roulette_depth ? minimum(largest(weight) * scale, 1.0f) : 1.0f;
+    const float survival = surface_number(path) >= roulette_depth ? minimum(largest(weight) * scale, 1.0f) : 1.0f;
     child.path = path;
-    child.path.depth = path.depth + 1u;
-    child.path.throughput = scaled(times(path.throughput, weight), survival > 0.0f ? 1.0f / survival : 0.0f);
-    child.path.branch = hash(path.branch * 2u);
+    child.path.depth = depth_word(surface_number(path) + 1u, part_within(row.path, row.going));
+    child.path.throughput = scaled(times(path.throughput, weight), survival > 0.0f ? share_of(row.going) / survival : 0.0f);
+    child.path.branch = hash(path.branch * 2u + row.going.number);
     const vec3 origin = where(stays, met.sides.near, met.sides.far);
     child.ray = ray_spawn(origin, wi, stays ? RAY_REFLECTED : RAY_REFRACTED, SURFACE_PRIMITIVE(met.at.flags));
-    child.pdf = next.pdf;
-    child.lives = (met.is_there & on_its_side(met.sides, wi, next.wi.z)) && u < survival && largest(child.path.throughput) > 0.0f;
+    child.pdf = next.pdf * ratio_of_counts(row);
+    child.lives = (met.is_there & on_its_side(met.sides, wi, next.wi.z)) && u < survival && largest(child.path.throughput) > 0.0f &&
+                  row.going.number < row.going.count;
     return child;
 }
 
@@ -101,17 +103,18 @@ typedef struct {
 } AskingRay;
 
 /// For this sample of the chosen light, weighted against the chance that the BSDF finds the same.
-FUNCTION AskingRay asking_ray(MetSurface met, Path path, ChosenLight chosen, LightSample sample) {
+FUNCTION AskingRay asking_ray(MetSurface met, Path path, BundleRow row, ChosenLight chosen, LightSample sample) {
     const vec3 towards = to_frame(met.frame, sample.direction);
     const BsdfValue value = bsdf_eval(met.material, met.point, towards);
-    const float weight = power_heuristic(value.pdf * inverse_light_density(chosen, sample));
+    const float weight = power_heuristic(value.pdf * inverse_light_density(chosen, sample) * ratio_of_counts(row)) * share_of(row.asking);
     const Spectrum received =
         scaled(times(value.value, sample.irradiance), chosen.inverse_chance * weight * ending(met.sides, met.frame, sample.direction, towards.z));
     const vec3 origin = where(towards.z > 0.0f, met.sides.near, met.sides.far);
     AskingRay asking;
     asking.ray = ray_to_light(origin, sample.ray_direction, sample.distance, SURFACE_PRIMITIVE(met.at.flags));
     asking.added = times(path.throughput, received);
-    asking.is_worth = (met.is_there & on_its_side(met.sides, sample.direction, towards.z)) && largest(asking.added) > 0.0f;
+    asking.is_worth =
+        (met.is_there & on_its_side(met.sides, sample.direction, towards.z)) && largest(asking.added) > 0.0f && row.asking.number < row.asking.count;
     return asking;
 }
 
@@ -120,26 +123,33 @@ typedef struct {
     uint light[ITEMS_PER_WORK_ITEM];            ///< its row
     float inverse_chance[ITEMS_PER_WORK_ITEM];  ///< as of ChosenLight
     float radiance[ITEMS_PER_WORK_ITEM];
-    float lobe[ITEMS_PER_WORK_ITEM];  ///< in [0, 1), of the material
+    float lobe[ITEMS_PER_WORK_ITEM];  ///< in [0, 1), of the material, before it is divided among a bundle
 } ChosenColumns;
 
-/// From live item i: the ray that goes on, in slot base + i, in the medium that it is in then, with the density `child_pdfs` of its direction; and
-/// shadow ray i, with what the light that it asks adds to the sample where it is visible. No ray leaves for a black value.
+/// From live item i, in row j of its bundle: the ray that goes on, in slot base + j * count + i, in the medium that it is in then, with the density
+/// `child_pdfs` of its direction; and shadow ray j * stride + i, with what the light that it asks adds to the sample where it is visible. No ray
+/// leaves for a black value, nor in rows beyond the bundle.
 kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const global uint *restrict pixels, LIVE_PARAMS,
                        const global Path *restrict paths, const global SurfacePoint *restrict points,
                        const global SurfaceInterface *restrict interfaces, const global vec3 *restrict directions,
                        const global uint *restrict instances, const global Tints *restrict tints, const global uint *restrict interiors,
-                       const global uint *restrict beyond, const global ushort *restrict scene_texels, uint base, global Ray *restrict children,
-                       global Path *restrict child_paths, global float *restrict child_pdfs, global uint *restrict child_sources,
-                       global uint *restrict child_interiors, global uchar *restrict child_alive, global Ray *restrict shadow_rays,
-                       global Spectrum *restrict shadow_light, global uchar *restrict shadow_alive) {
+                       const global uint *restrict beyond, const global ushort *restrict scene_texels, uint base, uint stride,
+                       global Ray *restrict children, global Path *restrict child_paths, global float *restrict child_pdfs,
+                       global uint *restrict child_sources, global uint *restrict child_interiors, global uchar *restrict child_alive,
+                       global Ray *restrict shadow_rays, global Spectrum *restrict shadow_light, global uchar *restrict shadow_alive) {
     const Scene scene = SCENE_WITH_TEXELS;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     const global uint *list = live + first;
-    global Ray *first_rays = children + base;
-    global Path *first_paths = child_paths + base;
-    global float *first_pdfs = child_pdfs + base;
+    const uint number = BUNDLES ? get_global_id(1) : 0u, first_slot = base + number * count, first_shadow = number * stride;
+    global Ray *first_rays = children + first_slot;
+    global Path *first_paths = child_paths + first_slot;
+    global float *first_pdfs = child_pdfs + first_slot;
+    global uchar *first_alive = child_alive + number * count;
     const Chunk chunk = chunk_of(count);
+    if (BUNDLES && is_beyond_bundles(materials, points, chunk, number, params.bundles)) {
+        for (uint c = 0u; c < chunk.items; ++c) first_alive[chunk.begin + c] = 0;
+        return;
+    }
     uint numbers[ITEMS_PER_WORK_ITEM];
     list_numbers(list, chunk, numbers);
     Columns chunk_paths, chunk_lights;
@@ -150,10 +160,11 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
             const uint c = i - chunk.begin;
             const Path path = path_of_columns(&chunk_paths, c);
             const PixelSample which = pixel_sample(path.slot, batch, pixels);
-            const vec2 choices = sampler_pair(which.pixel, which.sample, (path.depth - 1u) * USES_PER_SURFACE + USE_CHOICES, batch);
+            const uint uses = (surface_number(path) - 1u) * USES_PER_SURFACE;
+            const vec2 choices = sampler_pair(which.pixel, which.sample, part_of(path), uses + USE_CHOICES, batch);
             chosen.lobe[c] = choices.x;
             if (LIGHTS) {
-                const ChosenLight light = light_chosen(scene, choices.y);
+                const ChosenLight light = light_chosen(scene, place_of_part(bundle_row(path, number, 0u, params.bundles).asking, choices.y));
                 chosen.light[c] = light.row, chosen.inverse_chance[c] = light.inverse_chance, chosen.radiance[c] = light.radiance;
             }
         }
@@ -165,27 +176,30 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
         const Path path = path_of_columns(&chunk_paths, c);
         const MetSurface met = met_surface(materials, load(points + i), load(interfaces + i), tints_at(tints, i), load(directions + i));
         const PixelSample which = pixel_sample(path.slot, batch, pixels);
-        const uint uses = (path.depth - 1u) * USES_PER_SURFACE;
-        const vec2 direction_pair = sampler_pair(which.pixel, which.sample, uses + USE_DIRECTION, batch);
-        const float roulette = sampler_pair(which.pixel, which.sample, uses + USE_ROULETTE, batch).x;
+        const uint uses = (surface_number(path) - 1u) * USES_PER_SURFACE;
+        const BundleRow row = bundle_row(path, number, met.material->flags, params.bundles);
+        const Part going = part_within(row.path, row.going);
+        const vec2 direction_pair = sampler_pair(which.pixel, which.sample, going, uses + USE_DIRECTION, batch);
+        const float roulette = sampler_pair(which.pixel, which.sample, going, uses + USE_ROULETTE, batch).x;
 
-        const BsdfSample next = bsdf_sample(met.material, met.point, direction_pair, chosen.lobe[c]);
-        const NextPath child = next_path(met, path, next, params.roulette_depth, roulette);
-        interior_choose(!child.enters, interiors, k, beyond, i, child_interiors, base + i);
-        store_instance(child_sources, base + i, instance_at(instances, i));
+        const BsdfSample next = bsdf_sample(met.material, met.point, direction_pair, place_of_part(row.going, chosen.lobe[c]));
+        const NextPath child = next_path(met, path, row, next, params.roulette_depth, roulette);
+        interior_choose(!child.enters, interiors, k, beyond, i, child_interiors, first_slot + i);
+        store_instance(child_sources, first_slot + i, instance_at(instances, i));
         first_rays[i] = child.ray;
         first_paths[i] = child.path;
         first_pdfs[i] = child.pdf;
-        child_alive[i] = child.lives;
+        first_alive[i] = child.lives;
 
         if (LIGHTS) {
             const ChosenLight light = {chosen.light[c], chosen.inverse_chance[c], chosen.radiance[c]};
-            const vec2 square = sampler_pair(which.pixel, which.sample, uses + USE_LIGHT, batch);
-            const LightSample sample = light_sample(scene, light_of_columns(&chunk_lights, c), met.at.origin, light_random(square, path.branch));
-            const AskingRay asking = asking_ray(met, path, light, sample);
-            shadow_rays[i] = asking.ray;
-            shadow_light[i] = asking.added;
-            shadow_alive[i] = asking.is_worth && path.depth <= params.max_depth;
+            const vec2 square = sampler_pair(which.pixel, which.sample, part_within(row.path, row.asking), uses + USE_LIGHT, batch);
+            const LightRandom random = light_random(square, path.branch + number);
+            const LightSample sample = light_sample(scene, light_of_columns(&chunk_lights, c), met.at.origin, random);
+            const AskingRay asking = asking_ray(met, path, row, light, sample);
+            shadow_rays[first_shadow + i] = asking.ray;
+            shadow_light[first_shadow + i] = asking.added;
+            shadow_alive[first_shadow + i] = asking.is_worth && surface_number(path) <= params.max_depth;
         }
     }
 }
@@ -208,22 +222,23 @@ FUNCTION Spectrum met_light(Scene scene, uint first_generation, Ray ray, float p
     return scaled(radiance, power_heuristic(density / pdf));
 }
 
-/// contributions[i]: what ray i adds to its sample by the light that the surface where it ends asks, as far as visible[i] says; and, of few rays, by
-/// what shines there.
+/// contributions[i]: what ray i adds to its sample by the light that the surface where it ends asks, in `rows` rows of so many entries, as far as
+/// `visible` says; and, of few rays, by what shines there.
 kernel void shade_path(SCENE_PARAMS, uint first_generation, LIVE_PARAMS, const global Ray *restrict rays, const global Path *restrict paths,
                        const global float *restrict pdfs, const global uint *restrict instances, const global SurfacePoint *restrict points,
                        const global SurfaceInterface *restrict interfaces, const global vec3 *restrict directions, const global Tints *restrict tints,
-                       uint with_lights, const global uchar *restrict visible, const global Spectrum *restrict shadow_light,
+                       uint rows, uint stride, const global uchar *restrict visible, const global Spectrum *restrict shadow_light,
                        global Spectrum *restrict contributions) {
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     const Spectrum black = make3(0.0f, 0.0f, 0.0f);
     {
         FOR_EACH_ITEM(i, count) {
-            const bool lit = (with_lights != 0u) && visible[i] != 0;
+            const bool lit = (rows != 0u) && visible[i] != 0;
             contributions[i] = where(lit, load(shadow_light + i), black);
         }
     }
+    if (BUNDLES) add_further_rows(count, rows, stride, visible, shadow_light, contributions);
     FOR_EACH_ITEM_SERIALLY(i, count) {
         if ((points[i].flags & SURFACE_HIT) != 0u && (materials[points[i].material].flags & MATERIAL_SHINES) == 0u) continue;
         const uint k = live[first + i];

@@ -4,6 +4,7 @@
 #pragma once
 #include "kernels/core/params.h"
 #include "kernels/core/random.cl"
+#include "kernels/samplers/part.cl"
 #include "kernels/samplers/sobol_sequence.cl"
 
 /// The lower 16 bits, one in every two.
@@ -17,28 +18,28 @@ FUNCTION uint bits_apart(uint x) {
 /// Place of a pixel on Morton's curve.
 FUNCTION uint place_on_curve(uint pixel) { return bits_apart(pixel & 0xffffu) | bits_apart(pixel >> 16) << 1; }
 
-/// Of a run: the least k such that a pixel's half of the samples is at most 2^k, and no more than 16 where nobody knows how many there will be.
-FUNCTION uint run_bits(BatchParams batch) { return min(32u - clz((max(batch.spp, 1u) - 1u) >> 1), 16u); }
+/// Of a run: the least k such that as many pairs are at most 2^k, and no more than 16 where nobody knows how many there will be.
+FUNCTION uint run_bits(uint pairs) { return min(32u - clz(pairs - 1u), 16u); }
 
-/// A sample's place in its sequence, which the seed names; where 32 bits do not hold all pixels' runs, there are several.
+/// A part's place in its sequence, which the seed names; where 32 bits do not hold all pixels' runs, there are several.
 typedef struct {
     uint index, seed;
 } PlaceInSequence;
 
-FUNCTION PlaceInSequence place_in_sequence(uint pixel, uint sample, uint use, BatchParams batch) {
-    const uint bits = run_bits(batch), number = sample >> 1, curve = place_on_curve(pixel);
+FUNCTION PlaceInSequence place_in_sequence(uint pixel, uint sample, Part part, uint dimension, BatchParams batch) {
+    const uint bits = run_bits(half_of_samples(batch) * part.count), number = index_of_part(sample >> 1, part), curve = place_on_curve(pixel);
     PlaceInSequence place;
     place.index = curve << bits | (number & ((1u << bits) - 1u));
     const uint beyond = (bits > 0u ? curve >> (32u - bits) : 0u) ^ hash(number >> bits);
-    place.seed = hash(beyond ^ hash((sample & 1u) ^ hash(batch.seed ^ hash(use))));
+    place.seed = hash(beyond ^ hash((sample & 1u) ^ hash(batch.seed ^ hash(dimension_of_part(dimension, part)))));
     return place;
 }
 
-/// A sample's pair of numbers for a use, the `dimension` from 1 on, in [0, 1)².
-FUNCTION vec2 sampler_pair(uint pixel, uint sample, uint dimension, BatchParams batch) {
-    const PlaceInSequence place = place_in_sequence(pixel, sample, dimension, batch);
+/// A part's pair of numbers for a use, the `dimension` from 1 on, in [0, 1)².
+FUNCTION vec2 sampler_pair(uint pixel, uint sample, Part part, uint dimension, BatchParams batch) {
+    const PlaceInSequence place = place_in_sequence(pixel, sample, part, dimension, batch);
     return sobol_point(shuffled_index(place.index, hash(place.seed + 2u)), place.seed);
 }
 
 /// Position of a pixel's sample in [0, 1)².
-FUNCTION vec2 sampler_pixel_position(uint pixel, uint sample, BatchParams batch) { return sampler_pair(pixel, sample, 0u, batch); }
+FUNCTION vec2 sampler_pixel_position(uint pixel, uint sample, BatchParams batch) { return sampler_pair(pixel, sample, whole_sample(), 0u, batch); }

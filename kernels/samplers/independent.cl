@@ -2,10 +2,11 @@
 #pragma once
 #include "kernels/core/params.h"
 #include "kernels/core/random.cl"
+#include "kernels/samplers/part.cl"
 
-/// A sample's pair of numbers for a use, the `dimension` from 1 on, in [0, 1)².
-FUNCTION vec2 sampler_pair(uint pixel, uint sample, uint dimension, BatchParams batch) {
-    const uint random = hash(hash(pixel ^ hash(sample ^ hash(batch.seed))) ^ hash(dimension));
+/// A part's pair of numbers for a use, the `dimension` from 1 on, in [0, 1)².
+FUNCTION vec2 sampler_pair(uint pixel, uint sample, Part part, uint dimension, BatchParams batch) {
+    const uint random = hash(hash(pixel ^ hash(index_of_part(sample, part) ^ hash(batch.seed))) ^ hash(dimension_of_part(dimension, part)));
     vec2 pair;
     pair.x = unit_interval(random);
     pair.y = unit_interval(hash(random + 1u));

@@ -21,7 +21,7 @@ kernel void generate_camera_rays(Camera camera, BatchParams batch, FILTER_PARAMS
         const bool corner = batch.position == PIXEL_CORNER;
         const float x = corner ? (float)(int)px / (float)(int)(max(camera.width, 2u) - 1u) : ((float)(int)px + u) / (float)(int)camera.width;
         const float y = corner ? (float)(int)py / (float)(int)(max(camera.height, 2u) - 1u) : ((float)(int)py + v) / (float)(int)camera.height;
-        rays[i] = camera_ray(camera.position, view, x, y, sampler_pair(pixel, sample, USE_LENS, batch));
+        rays[i] = camera_ray(camera.position, view, x, y, sampler_pair(pixel, sample, whole_sample(), USE_LENS, batch));
         store_seen(seen, i, view, x, y);
 
         Path path;

@@ -13,6 +13,7 @@ const std::vector<IntegratorKind> &integrator_kinds() {
     static const std::vector<IntegratorKind> kinds = {
         {"whitted", make_whitted},
         {"path", make_path},
+        {"distributed", make_path},
     };
     return kinds;
 }

@@ -1,6 +1,7 @@
-/// Path tracing: the loop over kernels/integrators/path.cl.
+/// Path tracing, with bundles or without: the loop over kernels/integrators/path.cl.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "runtime/integrators/camera_rays.h"
@@ -15,7 +16,8 @@ constexpr const char *path_cl = "kernels/integrators/path.cl";
 
 /// What asks for light at surfaces, and what comes of it.
 struct AskedLights {
-    explicit AskedLights(const IntegratorJob &job) : shadows(job, 1, true), light(job.device, job.batch) {}
+    /// Of launches over so many items in so many rows.
+    AskedLights(const IntegratorJob &job, uint items, uint rows) : shadows(job, items, rows, true), light(job.device, shadows.rays.size()) {}
     Shadows shadows;
     Buffer<Spectrum> light;  ///< what each shadow ray adds where nothing is in its way
     std::size_t bytes() const { return shadows.bytes() + light.bytes(); }
@@ -25,27 +27,29 @@ class PathIntegrator : public Integrator {
 public:
     explicit PathIntegrator(const IntegratorJob &job)
         : scene_(job.on_device),
-          params_{job.scene.integrator.max_depth, job.scene.integrator.roulette_depth},
+          params_{job.scene.integrator.max_depth, job.scene.integrator.roulette_depth, job.scene.integrator.bundles_in_use()},
+          asks_(job.compiled.header.light_choices.count > 0),
+          rows_(std::max(job.compiled.bundle, asks_ ? params_.bundles.light : 1)),
           sizeless_lights_(!job.scene.lights.empty()),
           generate_(job),
           spawn_(job.device, path_cl, "spawn_path", scene_.lists()),
           shade_(job.device, path_cl, "shade_path", scene_.lists()),
           accumulate_(job.device, "kernels/stages/accumulate.cl", "accumulate", scene_.lists()),
-          surfaces_(job, true, generate_.work_items(job.batch)),
-          levels_(job.device, job.batch, 1, params_.max_depth + 1,
-                  {.interior_size = job.compiled.interior_size, .instances = surfaces_.instances, .pdfs = true}, job.on_step),
-          compact_(job.device, job.batch, 1),
-          alive_(job.device, job.batch),
+          levels_(job.device, job.batch, {rows_, 1}, params_.max_depth + 1,
+                  {.interior_size = job.compiled.interior_size, .instances = job.compiled.instances, .pdfs = true}, job.on_step),
+          surfaces_(job, true, std::max(generate_.work_items(job.batch), rows_ * generate_.work_items(levels_.wave_size(0)))),
+          compact_(job.device, levels_.capacity(), 1),
+          alive_(job.device, levels_.capacity()),
           contributions_(job.device, job.batch),
           refused_(job.device, 1),
           no_rays_(job.device, 0),
           no_spectra_(job.device, 0) {
-        if (job.compiled.header.light_choices.count > 0) asked_.emplace(job);
+        if (asks_) asked_.emplace(job, levels_.wave_size(0), rows_);
         refused_.fill_zero();
     }
 
     void render(const Batch &batch, Buffer<Sample> &samples, WaveObserver *observer) override {
-        if (observer) throw Error("the rays of integrator path cannot be shown yet; --integrator whitted shows those of mirrors and glass");
+        if (observer) throw Error("the rays of paths cannot be shown yet; --integrator whitted shows those of mirrors and glass");
         Level &first = levels_.start(batch.count());
         surfaces_.start(first, batch);
         generate_(batch, first, samples);
@@ -88,32 +92,41 @@ private:
     void spawn(const Wave &wave, const Batch &batch) {
         Level &below = *wave.children;
         const bool lit = asked_.has_value();
-        spawn_(wave.count, scene_.tables(), params_, batch.params, several(batch.pixels, 1.0 / batch.params.samples), wave, wave.level.paths,
-               surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.hit_instances, surfaces_.tints(),
-               surfaces_.in_lists(wave.level.interiors), surfaces_.in_lists(surfaces_.beyond()), shared(scene_.texels()), wave.base, below.rays,
-               below.paths, below.pdfs, below.sources, surfaces_.in_lists(below.interiors), alive_, lit ? asked_->shadows.rays : no_rays_,
-               lit ? asked_->light : no_spectra_, lit ? asked_->shadows.visible : surfaces_.no_bytes);
-        compact_(alive_, wave.count, wave.count, 1, wave.base, below.end, below.live);
+        const uint rows = wave.generation == 0 ? rows_ : 1, slots = rows * wave.count;
+        if (lit) asked_->shadows.share_among(rows);
+        spawn_(Grid(wave.count, rows), scene_.tables(), params_, batch.params, several(batch.pixels, 1.0 / batch.params.samples), wave,
+               wave.level.paths, surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.hit_instances, surfaces_.tints(),
+               surfaces_.in_lists(wave.level.interiors), surfaces_.in_lists(surfaces_.beyond()), shared(scene_.texels()), wave.base,
+               lit ? asked_->shadows.stride : 0u, in_rows(below.rays, rows), in_rows(below.paths, rows), in_rows(below.pdfs, rows),
+               in_rows(below.sources, rows), surfaces_.in_lists(below.interiors), in_rows(alive_, rows),
+               in_rows(lit ? asked_->shadows.rays : no_rays_, rows), in_rows(lit ? asked_->light : no_spectra_, rows),
+               in_rows(lit ? asked_->shadows.visible : surfaces_.no_bytes, rows));
+        compact_(alive_, slots, slots, 1, wave.base, below.end, below.live);
         if (!lit) return;
-        asked_->shadows.list(wave.count, 1);
-        asked_->shadows.trace(scene_, wave.generation, wave.count, 1, surfaces_.hit_instances, surfaces_.counter);
+        asked_->shadows.list(wave.count, asking_rows(wave));
+        asked_->shadows.trace(scene_, wave.generation, wave.count, asking_rows(wave), surfaces_.hit_instances, surfaces_.counter);
     }
+
+    uint asking_rows(const Wave &wave) const { return wave.generation == 0 ? params_.bundles.light : 1; }
 
     void shade(const Wave &wave) {
         const bool lit = asked_.has_value();
+        const uint rows = lit && wave.children != nullptr ? asking_rows(wave) : 0;
         shade_(wave.count, scene_, uint{wave.generation == 0}, wave, wave.level.rays, wave.level.paths, wave.level.pdfs, surfaces_.hit_instances,
-               surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.tints(), uint{lit && wave.children != nullptr},
-               lit ? asked_->shadows.visible : surfaces_.no_bytes, lit ? asked_->light : no_spectra_, contributions_);
+               surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.tints(), rows, lit ? asked_->shadows.stride : 0u,
+               several(lit ? asked_->shadows.visible : surfaces_.no_bytes, rows), several(lit ? asked_->light : no_spectra_, rows), contributions_);
     }
 
     const DeviceScene &scene_;
     PathParams params_;
+    bool asks_;  ///< whether there are lights of which to ask
+    uint rows_;  ///< of the largest bundle
     bool sizeless_lights_;
     std::uint64_t cut_ = 0;  ///< rays whose surfaces send no more
     CameraRays generate_;
     Kernel spawn_, shade_, accumulate_;
-    Surfaces surfaces_;
     Levels levels_;
+    Surfaces surfaces_;
     Compaction compact_;
     Buffer<std::uint8_t> alive_;
     Buffer<Spectrum> contributions_;

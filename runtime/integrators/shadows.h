@@ -9,8 +9,9 @@ namespace brandung {
 
 /// Rows of shadow rays, `stride` slots each; the item's ray lies at its place in the row. Only where there are lights.
 struct Shadows {
-    Shadows(const IntegratorJob &job, uint rows, bool bounces)
-        : stride(job.batch + 16),  // strides that are powers of two fall into the same cache sets
+    /// Of launches over so many items in so many rows.
+    Shadows(const IntegratorJob &job, uint items, uint rows, bool bounces)
+        : stride(items + 16),  // strides that are powers of two fall into the same cache sets
           rows(rows),
           trace_together(tracing_kernel(job, true, &Traversal::any_hit)),
           compact(job.device, stride, rows),
@@ -18,6 +19,11 @@ struct Shadows {
           visible(job.device, std::size_t{stride} * rows),
           live(job.device, std::size_t{stride} * rows) {
         if (bounces) trace_apart.emplace(tracing_kernel(job, false, &Traversal::any_hit));
+    }
+    /// Fewer rows have the more room for items, more rows less.
+    void share_among(uint rows_in_use) {
+        rows = rows_in_use;
+        stride = static_cast<uint>(rays.size() / rows);
     }
     /// Lists those among the first `count` of each of the first `used` rows for which `visible` says that they ask.
     void list(uint count, uint used) { compact(visible, stride, count, used, 0, 0, live); }

@@ -28,13 +28,13 @@ public:
           shade_(job.device, whitted_cl, "shade_whitted", scene_.lists()),
           accumulate_(job.device, "kernels/stages/accumulate.cl", "accumulate", scene_.lists()),
           surfaces_(job, branching_ > 0, generate_.work_items(job.batch) * std::clamp(light_count_, 1u, lights_per_block)),
-          levels_(job.device, job.batch, branching_, branching_ == 0 ? 1 : params_.max_depth,
+          levels_(job.device, job.batch, {branching_, branching_}, branching_ == 0 ? 1 : params_.max_depth,
                   {.interior_size = job.compiled.interior_size, .instances = surfaces_.instances}, job.on_step),
           contributions_(job.device, job.batch),
           refused_(job.device, 1),
           no_spectra_(job.device, 0) {
         if (branching_ > 0) secondary_.emplace(job, branching_);
-        if (light_count_ > 0) shadows_.emplace(job, std::min(light_count_, lights_per_block), branching_ > 0);
+        if (light_count_ > 0) shadows_.emplace(job, job.batch, std::min(light_count_, lights_per_block), branching_ > 0);
         if (light_count_ > 0) spawn_shadow_rays_.emplace(job.device, whitted_cl, "spawn_shadow_rays", scene_.lists());
         if (shadows_ && job.compiled.filters_shadows) shadow_filter_.emplace(job, shadows_->rays.size());
         note_limits(job);

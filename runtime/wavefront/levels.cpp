@@ -10,11 +10,11 @@ constexpr uint worthwhile_launch = 16384;
 
 }  // namespace
 
-Levels::Levels(Device &device, uint batch, uint branching, uint generations, SideArrays sides, WatchSteps on_step)
+Levels::Levels(Device &device, uint batch, Branching branching, uint generations, SideArrays sides, WatchSteps on_step)
     : device_(device),
       batch_(batch),
-      capacity_(std::max(batch, branching)),
       branching_(branching),
+      capacity_(std::max({batch, branching.first, branching.others})),
       generations_(generations),
       full_launch_(std::min(batch, worthwhile_launch)),
       sides_(sides),
@@ -34,13 +34,15 @@ Level &Levels::start(uint count) {
     return first;
 }
 
+uint Levels::wave_size(uint generation) const { return std::min(batch_, capacity_ / std::max(branching(generation), 1u)); }
+
 /// How many items of a level can be worked on, given the free slots below.
 uint Levels::room(uint generation) {
     const Level &here = levels_[generation];
     const uint waiting = here.end - here.first;
-    if (branching_ == 0 || generation + 1 == generations_) return std::min(waiting, batch_);
+    if (branching(generation) == 0 || generation + 1 == generations_) return std::min(waiting, batch_);
     const uint free = generation + 1 < levels_.size() ? capacity_ - levels_[generation + 1].used : capacity_;
-    return std::min({waiting, batch_, free / branching_});
+    return std::min({waiting, batch_, free / branching(generation)});
 }
 
 /// The generation that the next wave is taken from, `generations_` if nothing waits.
@@ -69,11 +71,11 @@ std::optional<Wave> Levels::next() {
     Level &here = levels_[chosen];
     Wave wave{here, here.first, count, chosen, nullptr, 0};
     here.first += count;
-    if (branching_ > 0 && chosen + 1 < generations_) {
+    if (branching(chosen) > 0 && chosen + 1 < generations_) {
         Level &below = level(chosen + 1);
         wave.children = &below;
         wave.base = below.used;
-        below.used += count * branching_;
+        below.used += count * branching(chosen);
     }
     return wave;
 }

@@ -47,12 +47,17 @@ struct Wave {
     template <class Bind> void for_each_argument(Bind bind) const { bind(level.live), bind(first), bind(count); }
 };
 
+/// Children per item: of the first generation, and of all others.
+struct Branching {
+    uint first, others;
+};
+
 /// Hands out waves so that no level ever overflows: a wave takes at most as many items as the next level has free slots for their children.
 class Levels {
 public:
     /// Levels are allocated when first needed, at most `generations` of them, each of max(batch, branching) slots. Waves have at most `batch`
     /// items. `sides` says which side arrays they have. `on_step` is told each step, if there is one.
-    Levels(Device &device, uint batch, uint branching, uint generations, SideArrays sides, WatchSteps on_step = {});
+    Levels(Device &device, uint batch, Branching branching, uint generations, SideArrays sides, WatchSteps on_step = {});
 
     /// Forgets everything, and allocates the first level if there is none yet, as `next` does; the caller fills the first `count` slots of the result
     /// and its live list.
@@ -63,16 +68,23 @@ public:
     /// Tells how many of the last wave's children live; their list was written from the next level's `end` on.
     void add_children(const Wave &wave, uint live);
 
+    /// Slots of a level.
+    uint capacity() const { return capacity_; }
+    /// Items of a wave of that generation, at most.
+    uint wave_size(uint generation) const;
     std::size_t bytes_at_most() const { return generations_ * level_bytes_; }
 
 private:
     Level &level(uint generation);
+    uint branching(uint generation) const { return generation == 0 ? branching_.first : branching_.others; }
     uint room(uint generation);
     uint choose();
     void tell_step(uint generation, uint count) const;
 
     Device &device_;
-    uint batch_, capacity_, branching_, generations_, full_launch_;
+    uint batch_;
+    Branching branching_;
+    uint capacity_, generations_, full_launch_;
     SideArrays sides_;
     std::size_t level_bytes_;
     WatchSteps on_step_;

@@ -63,7 +63,7 @@ Material read_conductor(const Parameters &parameters, Scene &scene) {
     conductor.specular = specular.value;
     conductor.alpha = facets.alpha, conductor.distribution = facets.distribution;
     if (facets.alpha > 0) add_multiple_reflection(conductor, facets);
-    Material material = material_of_kind("conductor", facets.alpha > 0 ? MATERIAL_LIT : 0, conductor);
+    Material material = material_of_kind("conductor", facets.alpha > 0 ? MATERIAL_LIT | MATERIAL_GLOSSY : 0, conductor);
     material.specular_texture = specular.texture;
     read_emission(parameters, material);
     return material;

@@ -10,7 +10,7 @@ namespace brandung {
 
 Material read_diffuse(const Parameters &parameters, Scene &scene) {
     const TexturedSpectrum reflectance = read_textured_fraction(parameters, "reflectance", Spectrum(0.5f), scene);
-    Material material = material_of_kind("diffuse", largest(reflectance.value) > 0 ? MATERIAL_LIT : 0, Diffuse{reflectance.value});
+    Material material = material_of_kind("diffuse", largest(reflectance.value) > 0 ? MATERIAL_LIT | MATERIAL_DIFFUSE : 0, Diffuse{reflectance.value});
     material.diffuse_texture = reflectance.texture;
     read_emission(parameters, material);
     return material;

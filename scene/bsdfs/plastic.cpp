@@ -47,7 +47,9 @@ Material read_plastic(const Parameters &parameters, Scene &scene) {
     plastic.nonlinear = parameters.boolean("nonlinear", false);
     const Facets facets = read_facets(parameters, 0);
     add_boundary(plastic, facets, eta);
-    Material material = material_of_kind("plastic", facets.alpha > 0 || largest(diffuse.value) > 0 ? MATERIAL_LIT : 0, plastic);
+    const bool is_diffuse = largest(diffuse.value) > 0;
+    const uint flags = (facets.alpha > 0 || is_diffuse ? MATERIAL_LIT | MATERIAL_GLOSSY : 0) | (is_diffuse ? MATERIAL_DIFFUSE : 0);
+    Material material = material_of_kind("plastic", flags, plastic);
     material.diffuse_texture = diffuse.texture;
     read_emission(parameters, material);
     return material;

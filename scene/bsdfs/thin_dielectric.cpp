@@ -11,7 +11,7 @@ Material read_thin_dielectric(const Parameters &parameters, Scene &) {
     ThinDielectric sheet{};
     sheet.reflection = parameters.fraction("reflection", Spectrum(1));
     sheet.transmission = parameters.fraction("transmission", Spectrum(1));
-    Material material = material_of_kind("thin_dielectric", 0, sheet);
+    Material material = material_of_kind("thin_dielectric", MATERIAL_PASSES, sheet);
     material.eta = parameters.positive("eta", 1.5f);
     read_emission(parameters, material);
     return material;

@@ -8,9 +8,11 @@
 namespace brandung {
 
 Material make_material(const Whitted &whitted) {
-    const uint flags = (largest(whitted.reflection) > 0 ? MATERIAL_REFLECTS : 0) | (largest(whitted.transmission) > 0 ? MATERIAL_TRANSMITS : 0) |
-                       (largest(whitted.diffuse) > 0 || largest(whitted.specular) > 0 ? MATERIAL_LIT : 0) |
-                       (largest(whitted.specular) > 0 ? MATERIAL_HIGHLIGHT : 0);
+    const bool is_diffuse = largest(whitted.diffuse) > 0, has_highlight = largest(whitted.specular) > 0;
+    const bool reflects = largest(whitted.reflection) > 0, transmits = largest(whitted.transmission) > 0;
+    const uint flags = (reflects ? MATERIAL_REFLECTS : 0) | (transmits ? MATERIAL_TRANSMITS | MATERIAL_PASSES : 0) |
+                       (is_diffuse || has_highlight ? MATERIAL_LIT : 0) | (is_diffuse ? MATERIAL_DIFFUSE : 0) |
+                       (has_highlight ? MATERIAL_HIGHLIGHT : 0) | (has_highlight || (reflects && is_diffuse) ? MATERIAL_GLOSSY : 0);
     return material_of_kind("whitted", flags, whitted);
 }
 

@@ -14,6 +14,12 @@ bool has_eye_in(const Scene &scene, const std::string &material) {
     });
 }
 
+/// As kernels/integrators/bundle.cl says.
+uint bundle_size(const Material &material, const Bundles &sizes) {
+    const auto size = [&](uint flag, uint of_kind) { return (material.flags & flag) != 0 ? of_kind : 1; };
+    return std::max({size(MATERIAL_DIFFUSE, sizes.diffuse), size(MATERIAL_GLOSSY, sizes.glossy), size(MATERIAL_PASSES, sizes.transmission)});
+}
+
 void count_media(const Scene &scene, const std::vector<bool> &used, CompiledScene &compiled) {
     if (!compiled.transmits) return;
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
@@ -56,6 +62,7 @@ std::vector<uint> kinds_of_bsdfs(std::vector<Material> used_materials) {
 
 void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     const std::vector<bool> used = materials_in_use(scene);
+    const Bundles sizes = scene.integrator.bundles_in_use();
     std::vector<Material> materials, used_materials;
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         Material &material = materials.emplace_back(scene.materials[m].record);
@@ -66,7 +73,9 @@ void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
         compiled.transmits |= (material.flags & MATERIAL_TRANSMITS) != 0;
         compiled.chooses |= chooses(material);
         compiled.highlights |= (material.flags & MATERIAL_HIGHLIGHT) != 0;
+        compiled.bundle = std::max(compiled.bundle, bundle_size(material, sizes));
     }
+    compiled.bundles = std::max(compiled.bundle, sizes.light) > 1;
     compiled.follows_one = compiled.transmits && scene.integrator.follows_one;
     count_media(scene, used, compiled);
     add_textures(scene, used_materials, compiled, arena);

@@ -88,6 +88,16 @@ void read_film(const Parameters &parameters, FilmSettings &film) {
     parameters.expect_all_known();
 }
 
+static_assert(max_depth + 1 < 1u << SURFACE_BITS && MAX_BUNDLE == 1u << PART_BITS);
+
+Bundles read_bundles(const Parameters &parameters, Bundles bundles) {
+    const auto size = [&](const char *kind, uint fallback) { return parameters.integer(kind, fallback, 1, MAX_BUNDLE); };
+    bundles = {size("light", bundles.light), size("diffuse", bundles.diffuse), size("glossy", bundles.glossy),
+               size("transmission", bundles.transmission)};
+    parameters.expect_all_known();
+    return bundles;
+}
+
 void read_integrator(const Parameters &parameters, IntegratorSettings &integrator) {
     integrator.type = parameters.text("type", integrator.type);
     // Finding the line takes as long as reading the file again; the default is never refused.
@@ -95,6 +105,7 @@ void read_integrator(const Parameters &parameters, IntegratorSettings &integrato
     integrator.max_depth = parameters.integer("max_depth", integrator.max_depth, 1, max_depth);
     integrator.threshold = parameters.not_negative("threshold", integrator.threshold);
     integrator.light_samples = parameters.integer("light_samples", integrator.light_samples, 0, MAX_LIGHT_SAMPLES);
+    integrator.bundles = read_bundles(parameters.child("bundles"), integrator.bundles);
     integrator.roulette_depth = parameters.integer("roulette_depth", integrator.roulette_depth, 1, max_depth);
     integrator.follows_one = parameters.choice("follow", {"both", "one"}, integrator.follows_one ? 1 : 0) == 1;
     if (parameters.has("shadows")) integrator.shadows_unsaid = false;

@@ -37,7 +37,7 @@ LightRows make_light_rows(const Scene &scene) {
     for (const Light &light : scene.lights) ++lights.counts[light_kinds()[light.kind].name];
     if (!shows_light(scene)) return lights;
     const std::vector<PlacedShape> emissive = emissive_shapes(scene);
-    const bool paths = scene.integrator.type == "path";
+    const bool paths = scene.integrator.traces_paths();
     const uint samples = scene.integrator.light_samples;
     if (samples == 0) {
         lights.dark = uint(emissive.size());

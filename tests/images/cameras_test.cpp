@@ -30,7 +30,7 @@ class PictureOf : public testing::TestWithParam<std::string> {};
 
 /// Rays of a packet have origins of their own here.
 TEST_P(PictureOf, HasTheSameBitsWhateverTheAcceleratorAndTheBatch) {
-    for (const char *integrator : {"whitted", "path"}) {
+    for (const char *integrator : {"whitted", "path", "distributed"}) {
         Scene scene = soup_scene(camera_of_kind(GetParam()));
         scene.integrator.type = integrator;
         const Rendering expected = render_scene(scene);
@@ -119,7 +119,7 @@ Scene lens_scene(float distance, uint blades, const std::string &integrator) {
 /// it.
 TEST(ThinLens, CircleOfConfusionHasTheDiameterOfTheFormula) {
     for (const auto &[distance, blades, integrator] :
-         {std::tuple(2.0f, 0u, "whitted"), {2.5f, 0u, "path"}, {16.0f, 0u, "whitted"}, {2.0f, 6u, "whitted"}}) {
+         {std::tuple(2.0f, 0u, "whitted"), {2.5f, 0u, "path"}, {16.0f, 0u, "whitted"}, {2.0f, 6u, "whitted"}, {3.0f, 0u, "distributed"}}) {
         const Spread found = spread_of(render_scene(lens_scene(distance, blades, integrator)), side);
         const double scale = side / (2 * focus * std::tan(glm::radians(double(fov)) / 2));
         const double c = 2 * double(lens_radius) * std::abs(distance - focus) / distance * scale;

@@ -15,13 +15,15 @@ namespace {
 enum class Survival { none, all, half };
 
 struct Case {
-    uint batch, branching, generations;
+    uint batch;
+    Branching branching;
+    uint generations;
     Survival survival;
     uint start;  ///< items in the first level
 };
 void PrintTo(const Case &c, std::ostream *out) {
-    *out << "batch " << c.batch << ", branching " << c.branching << ", generations " << c.generations << ", survival " << int(c.survival)
-         << ", start " << c.start;
+    *out << "batch " << c.batch << ", branching " << c.branching.first << " and " << c.branching.others << ", generations " << c.generations
+         << ", survival " << int(c.survival) << ", start " << c.start;
 }
 
 /// Plays the wavefront on the host: lists and slots, each slot's item by a number of its own.
@@ -29,7 +31,7 @@ class Play {
 public:
     explicit Play(const Case &c)
         : case_(c),
-          capacity_(std::max(c.batch, c.branching)),
+          capacity_(std::max({c.batch, c.branching.first, c.branching.others})),
           levels_(test_device(), c.batch, c.branching, c.generations, {.interior_size = 2, .instances = true}),
           random_(1) {
         lists_.resize(c.generations), slots_.resize(c.generations, std::vector<std::uint64_t>(capacity_, 0));
@@ -65,9 +67,11 @@ private:
         std::vector<uint> taken(lists_[g].begin() + wave.first, lists_[g].begin() + wave.first + wave.count);
         for (const uint slot : taken) ASSERT_NE(slots_[g][slot], 0u) << "a slot is handed out once";
 
-        ASSERT_EQ(wave.children != nullptr, case_.branching > 0 && g + 1 < case_.generations);
+        const uint branching = g == 0 ? case_.branching.first : case_.branching.others;
+        ASSERT_LE(wave.count, levels_.wave_size(g));
+        ASSERT_EQ(wave.children != nullptr, branching > 0 && g + 1 < case_.generations);
         if (wave.children) {
-            const uint added = wave.count * case_.branching;
+            const uint added = wave.count * branching;
             ASSERT_LE(wave.base + added, capacity_) << "children's slots";
             ASSERT_LE(wave.base + added, wave.children->rays.size());
             if (wave.children->end == 0) lists_[g + 1].clear();
@@ -113,31 +117,42 @@ std::vector<Case> cases() {
                 for (const Survival survival : {Survival::none, Survival::all, Survival::half})
                     for (const uint start : {batch, (batch + 1) / 2}) {
                         const bool huge = branching == 10 && survival != Survival::none && generations == 6 && batch > 7;
-                        if (!huge && !(branching == 0 && generations > 1)) result.push_back({batch, branching, generations, survival, start});
+                        if (!huge && !(branching == 0 && generations > 1))
+                            result.push_back({batch, {branching, branching}, generations, survival, start});
                     }
     for (const Survival survival : {Survival::all, Survival::half})
-        for (const uint branching : {1u, 2u}) result.push_back({65536, branching, 4, survival, 65536});
-    result.push_back({100, 2, 13, Survival::all, 100});
+        for (const uint branching : {1u, 2u}) result.push_back({65536, {branching, branching}, 4, survival, 65536});
+    result.push_back({100, {2, 2}, 13, Survival::all, 100});
+    for (const uint batch : {1u, 7u, 1000u})
+        for (const uint first : {1u, 3u, 64u, 1024u})
+            for (const Survival survival : {Survival::none, Survival::all, Survival::half}) result.push_back({batch, {first, 1}, 6, survival, batch});
     return result;
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, LevelsBounds, testing::ValuesIn(cases()));
 
 TEST(Levels, ADepthFirstTreeHasAllItsItems) {
-    Play play({.batch = 3, .branching = 2, .generations = 8, .survival = Survival::all, .start = 3});
+    Play play({.batch = 3, .branching = {2, 2}, .generations = 8, .survival = Survival::all, .start = 3});
     play.run();
     EXPECT_EQ(play.items(), 3u * 255u);  // 3 (1 + 2 + ... + 128)
 }
 
 TEST(Levels, WithoutBranchingAWaveIsAWholeLevel) {
-    Play play({.batch = 1000, .branching = 1, .generations = 9, .survival = Survival::all, .start = 1000});
+    Play play({.batch = 1000, .branching = {1, 1}, .generations = 9, .survival = Survival::all, .start = 1000});
     play.run();
     EXPECT_EQ(play.waves(), 9u);
 }
 
+TEST(Levels, OnlyTheFirstGenerationBranchesWhereTheOthersDoNot) {
+    Play play({.batch = 1000, .branching = {10, 1}, .generations = 4, .survival = Survival::all, .start = 1000});
+    play.run();
+    EXPECT_EQ(play.items(), 1000u * 31u);
+    EXPECT_EQ(play.waves(), 10u * 4u) << "what a hundred send fills a level";
+}
+
 TEST(Levels, LaunchesAreFullAsLongAsTheyCanBe) {
     // A binary tree of depth 4 over 65,536 rays has 983,040 items; full launches are at least 16,384, and only the ends of levels are smaller.
-    Play play({.batch = 65536, .branching = 2, .generations = 4, .survival = Survival::all, .start = 65536});
+    Play play({.batch = 65536, .branching = {2, 2}, .generations = 4, .survival = Survival::all, .start = 65536});
     play.run();
     EXPECT_EQ(play.items(), 65536u * 15u);
     EXPECT_LE(play.waves(), 60u);
@@ -146,7 +161,7 @@ TEST(Levels, LaunchesAreFullAsLongAsTheyCanBe) {
 /// A binary tree of depth 3 over 4 rays, in levels of 4 slots: a wave takes two rays at most, except from the last level.
 TEST(Levels, EachStepIsToldToThoseWhoAsk) {
     std::vector<WaveStep> steps;
-    Levels levels(test_device(), 4, 2, 3, {}, [&](const WaveStep &step) { steps.push_back(step); });
+    Levels levels(test_device(), 4, {2, 2}, 3, {}, [&](const WaveStep &step) { steps.push_back(step); });
     levels.start(4);
     while (const auto wave = levels.next())
         if (wave->children) levels.add_children(*wave, 2 * wave->count);
@@ -161,7 +176,7 @@ TEST(Levels, EachStepIsToldToThoseWhoAsk) {
 }
 
 TEST(Levels, TheyCanBeStartedAgain) {
-    const Case c{.batch = 64, .branching = 2, .generations = 3, .survival = Survival::half, .start = 64};
+    const Case c{.batch = 64, .branching = {2, 2}, .generations = 3, .survival = Survival::half, .start = 64};
     Levels levels(test_device(), c.batch, c.branching, c.generations, {.interior_size = 1});
     for (uint count : {64u, 1u, 33u}) {
         levels.start(count);

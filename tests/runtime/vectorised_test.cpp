@@ -112,8 +112,8 @@ std::set<std::string> marked_loops(const std::string &integrator = "whitted") {
     return loops;
 }
 
-void expect_no_failure(const Remarks &remarks, const std::string &integrator = "whitted") {
-    for (const std::string &loop : marked_loops(integrator))
+void expect_no_failure(const Remarks &remarks, const std::set<std::string> &loops = marked_loops()) {
+    for (const std::string &loop : loops)
         if (const auto failed = remarks.failed.find(loop); failed != remarks.failed.end()) ADD_FAILURE() << loop << ": " << failed->second;
 }
 
@@ -148,11 +148,15 @@ TEST(Vectorised, PathsAre16WideWithEveryKindOfMaterial) {
         materials += R"(, {"name": "of )" + type + R"(", "type": ")" + type + R"(")" + metal + "}";
         objects += R"(, {"type": "sphere", "material": "of )" + type + R"(", "center": [0, 2, 0], "radius": 0.1})";
     }
-    const std::string scene = scene_of(R"(, "reflection": 0.3, "transmission": 0.5, "eta": 1.5)", "box", objects, "both", "path", materials);
-    const Remarks remarks = parse(remarks_of(scene));
-    expect_no_failure(remarks, "path");
-    for (const std::string &loop : marked_loops("path"))
-        EXPECT_TRUE(remarks.vectorised.contains(loop) || loop.find("/integrators/") == std::string::npos) << loop;
+    for (const std::string integrator : {"path", "distributed"}) {
+        const std::string scene = scene_of(R"(, "reflection": 0.3, "transmission": 0.5, "eta": 1.5)", "box", objects, "both", integrator, materials);
+        const Remarks remarks = parse(remarks_of(scene));
+        std::set<std::string> loops = marked_loops("path");
+        if (integrator == "distributed") loops.merge(marked_loops("bundle"));
+        expect_no_failure(remarks, loops);
+        for (const std::string &loop : loops)
+            EXPECT_TRUE(remarks.vectorised.contains(loop) || loop.find("/integrators/") == std::string::npos) << integrator << ", " << loop;
+    }
 }
 
 TEST(Vectorised, CamerasOfEveryKindAre16Wide) {

@@ -22,7 +22,7 @@ SCENE = {
 MISSING = object()
 BROKEN = {
     "/film": [{"width": 0}, {"height": 65536}, {"spp": 0}, {"spp": 1.5}, {"seed": -1}, {"pixel": "middle"}, {"filter": "sinc"}, {"filter_radius": 0}, {"filter_radius": 101}, {"aovs": ["colour"]}, {"aovs": "normal"}, {"crop": [1, 2, 3]}, {"crop": [0, -1, 2, 2]}, {"tone": "film"}, {"exposure": "manual"}, {"exposure": 101}, {"exposure": -101}, {"widht": 3}, []],
-    "/integrator": [{"type": "radiosity"}, {"max_depth": 0}, {"max_depth": 1001}, {"threshold": -1}, {"light_samples": -1}, {"light_samples": 65}, {"shadows": "soft"}],
+    "/integrator": [{"type": "radiosity"}, {"max_depth": 0}, {"max_depth": 1001}, {"threshold": -1}, {"light_samples": -1}, {"light_samples": 65}, {"shadows": "soft"}, {"bundles": 4}, {"bundles": {"light": 0}}, {"bundles": {"diffuse": 1025}}, {"bundles": {"glossy": 1.5}}, {"bundles": {"mirror": 2}}],
     "/accelerator": ["octopus", 3],
     "/background": [-1, [1, 2], "blue", 1e39, [0, 0, -1], {}, {"image": 3}, {"image": "a.hdr", "rotate": "x"}, {"image": "a.hdr", "wrap": "clamp"}, {"image": "a.hdr", "scale": -1}],
     "/cameras": [[SCENE["camera"]], []],

@@ -90,7 +90,11 @@ std::vector<SceneText> bad_scenes() {
         with_more("UnknownIntegrator",
                   "\n"
                   R"("integrator": {"type": "radiosity"},)",
-                  {"scene.json:7: /integrator/type: there is no \"radiosity\", only whitted, path"}),
+                  {"scene.json:7: /integrator/type: there is no \"radiosity\", only whitted, path, distributed"}),
+        with_more("BundleOfHalves",
+                  "\n"
+                  R"("integrator": {"type": "distributed", "bundles": {"diffuse": 1.5}},)",
+                  {"scene.json:7: /integrator/bundles/diffuse: must be", "1.5"}),
         with_more("TwoKindsOfCameras", R"("cameras": [],)", {"has both"}),
         {"NoCamera", "scene.json", R"({"objects": []})", {"camera"}},
         {"ViewWithoutDirection", "scene.json", R"({"camera": {"from": [1,2,3], "at": [1,2,3]}})", {"at", "from"}},

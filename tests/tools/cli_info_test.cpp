@@ -171,7 +171,7 @@ TEST(CliInfo, CheckReportsWithoutADevice) {
     EXPECT_EQ(run.err, "");
     const Finished bad = run_program({"check", folder.write("bad.json", native_scene("", R"("integrator": {"type": "radiosity"},)"))});
     EXPECT_EQ(bad.status, 1);
-    EXPECT_NE(bad.err.find("bad.json:6: /integrator/type: there is no \"radiosity\", only whitted, path"), std::string::npos) << bad.err;
+    EXPECT_NE(bad.err.find("bad.json:6: /integrator/type: there is no \"radiosity\", only whitted, path, distributed"), std::string::npos) << bad.err;
     const Finished cut = run_program({"check", folder.write("cut.json", R"({"camera": )")});
     EXPECT_EQ(cut.status, 1);
     EXPECT_NE(cut.err.find("cut.json:1: "), std::string::npos) << cut.err;

@@ -16,7 +16,7 @@ inline std::vector<vec2> positions(const std::string &sampler, const std::vector
         kernel void probe(const global uint *pixels, const global uint *samples, const global BatchParams *batch, const global uint *use,
                           global vec2 *positions) {
             const uint i = get_global_id(0);
-            positions[i] = *use == 0u ? sampler_pixel_position(pixels[i], samples[i], *batch) : sampler_pair(pixels[i], samples[i], *use, *batch);
+            positions[i] = *use == 0u ? sampler_pixel_position(pixels[i], samples[i], *batch) : sampler_pair(pixels[i], samples[i], whole_sample(), *use, *batch);
         })")
         .run<vec2>(pixels, samples, batch, use);
 }

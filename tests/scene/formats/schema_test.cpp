@@ -70,6 +70,7 @@ TEST_F(Schema, ItsDefaultsAreTheReaders) {
                              {{"type", "spot"}, {"position", {0, 0, 0}}, {"intensity", 1}, {"at", {0, 0, 1}}}}}};
     nlohmann::json full = bare;
     full["film"] = defaults_of("film"), full["integrator"] = defaults_of("integrator");
+    full["integrator"]["bundles"] = defaults_of("bundles");
     full["camera"].update(defaults_of("perspective_camera")), full["materials"][0].update(defaults_of("whitted")),
         full["lights"][0].update(defaults_of("point")), full["lights"][1].update(defaults_of("spot"));
     const Scene a = read_text(bare.dump()), b = read_text(full.dump());
@@ -78,6 +79,7 @@ TEST_F(Schema, ItsDefaultsAreTheReaders) {
     EXPECT_EQ(a.integrator.max_depth, b.integrator.max_depth);
     EXPECT_EQ(a.integrator.threshold, b.integrator.threshold);
     EXPECT_EQ(a.integrator.light_samples, b.integrator.light_samples);
+    EXPECT_EQ(bytes_of(a.integrator.bundles), bytes_of(b.integrator.bundles));
     EXPECT_EQ(a.integrator.filtered_shadows, b.integrator.filtered_shadows);
     EXPECT_EQ(a.cameras[0].up, b.cameras[0].up);
     EXPECT_EQ(a.cameras[0].fov, b.cameras[0].fov);

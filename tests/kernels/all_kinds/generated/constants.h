@@ -8,5 +8,6 @@
 #define SHADING_NORMALS 1
 #define INSTANCES 1
 #define LIGHTS 1
+#define BUNDLES 1
 #define INSTANCE_KIND 4u
 #define FLAT_KINDS 0x3u
