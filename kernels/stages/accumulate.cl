@@ -12,7 +12,7 @@ FUNCTION int64 fixed_point(float x) { return (int64)rint(minimum(maximum(x, -0x1
 
 /// Two items may have one sample only where rays branch.
 FUNCTION void add_contribution(global Integer128 *sum, int64 contribution) {
-    if (BRANCHING > 1u || BUNDLES) {
+    if (BRANCHING > 1u) {
         add_atomically(sum, contribution);
     } else {
         add(sum, contribution);

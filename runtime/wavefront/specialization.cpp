@@ -74,7 +74,7 @@ std::vector<uint> whitted_bsdfs(const CompiledScene &scene) {
 }  // namespace
 
 uint branching(const CompiledScene &scene) {
-    if (scene.paths) return 1;
+    if (scene.paths) return scene.bundles ? 2 : 1;
     return scene.transmits && !scene.follows_one ? 2 : scene.reflects || scene.transmits ? 1 : 0;
 }
 

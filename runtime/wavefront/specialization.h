@@ -11,7 +11,8 @@ enum class RayLanes { eight, one };
 /// The text of generated/*.cl and generated/*.h for the kinds that the scene uses. One lane only where the accelerator has a scalar traversal.
 Sources specialize(const CompiledScene &scene, RayLanes lanes);
 
-/// Children per ray: mirrored and refracted ones need two slots, mirrored ones alone one, none at all none.
+/// Children per ray: mirrored and refracted ones need two slots, mirrored ones alone one, none at all none. Of paths one; 2 stands for bundles of any
+/// size.
 uint branching(const CompiledScene &scene);
 
 }  // namespace brandung
