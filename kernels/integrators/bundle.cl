@@ -50,7 +50,8 @@ FUNCTION float ratio_of_counts(BundleRow row) { return (float)(int)row.going.cou
 
 /// Whether in this row no item of the chunk has anything to send.
 FUNCTION bool is_beyond_bundles(const global Material *materials, const global SurfacePoint *points, Chunk chunk, uint row, Bundles sizes) {
-    if (row == 0u || (LIGHTS && row < sizes.light)) return false;
+    if (row == 0u) return false;
+    if (LIGHTS && row < sizes.light) return false;
     for (uint c = 0u; c < chunk.items; ++c) {
         const SurfacePoint at = points[chunk.begin + c];
         if ((at.flags & SURFACE_HIT) != 0u && row < bundle_size(materials[at.material].flags, sizes)) return false;

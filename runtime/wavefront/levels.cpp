@@ -34,7 +34,10 @@ Level &Levels::start(uint count) {
     return first;
 }
 
-uint Levels::wave_size(uint generation) const { return std::min(batch_, capacity_ / std::max(branching(generation), 1u)); }
+uint Levels::wave_size(uint generation) const {
+    const uint children = generation + 1 == generations_ ? 0 : branching(generation);
+    return std::min(batch_, capacity_ / std::max(children, 1u));
+}
 
 /// How many items of a level can be worked on, given the free slots below.
 uint Levels::room(uint generation) {
