@@ -30,5 +30,5 @@ FUNCTION float place_of_part(Part part, float u) {
     return part.count == 1u ? u : minimum(((float)(int)part.number + u) / (float)(int)part.count, 0.99999994f);
 }
 
-/// How many samples of a pixel's are of even number, at least as many as of odd number.
-FUNCTION uint half_of_samples(BatchParams batch) { return max((batch.spp + 1u) >> 1, 1u); }
+/// How many samples of a pixel are of even number, at least as many as of odd number; 2^16 stand for more.
+FUNCTION uint half_of_samples(BatchParams batch) { return clamp((batch.spp + 1u) >> 1, 1u, 1u << 16); }

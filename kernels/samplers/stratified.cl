@@ -10,13 +10,13 @@ FUNCTION uint grid_bits(uint pairs) { return min(32u - clz(pairs - 1u), 12u); }
 
 /// A permutation of the numbers below 2^bits: each step is one, modulo 2^bits.
 FUNCTION uint permuted(uint x, uint bits, uint seed) {
-    const uint mask = (1u << bits) - 1u, shift = (bits >> 1) + 1u;
-    x = (x ^ seed) & mask;
-    x = x * (seed >> 15 | 1u) & mask;
+    const uint ones = (1u << bits) - 1u, shift = (bits >> 1) + 1u;
+    x = (x ^ seed) & ones;
+    x = x * (seed >> 15 | 1u) & ones;
     x ^= x >> shift;
-    x = (x * 0x9e3779b1u + (seed >> 7)) & mask;
+    x = (x * 0x9e3779b1u + (seed >> 7)) & ones;
     x ^= x >> shift;
-    return x * (seed >> 3 | 1u) & mask;
+    return x * (seed >> 3 | 1u) & ones;
 }
 
 /// Anywhere in cell `cell` of 2^bits.
