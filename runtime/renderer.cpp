@@ -33,6 +33,10 @@ std::vector<uint> media_of_eye(const Scene &scene, const CompiledScene &compiled
     return entries;
 }
 
+ShutterParams shutter_params(const CameraDescription &camera, const Shutter &of_scene, std::size_t parts) {
+    return {of_scene.place_of(camera.shutter.open), of_scene.place_of(camera.shutter.close), static_cast<uint>(parts)};
+}
+
 /// Tells observers of a render that begins now.
 class Announcement {
 public:
@@ -91,13 +95,22 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
     : device_(device),
       film_settings_(checked(scene)),
       options_(std::move(options)),
+      scene_shutter_(scene.shutter),
       camera_(make_camera(camera, film_settings_.width, film_settings_.height)),
+      camera_motion_(device, camera_motion(camera, scene_shutter_)),
+      shutter_(shutter_params(camera, scene_shutter_, camera_motion_.size())),
       interior_(media_of_eye(scene, compiled, camera)),
       filter_(device, film_settings_, on_device.lists()),
-      integrator_(
-          integrator_of(scene).make({device, scene, compiled, on_device, camera_kinds()[camera.kind], filter_, options_.batch, options_.on_step})),
+      integrator_(integrator_of(scene).make(
+          {device, scene, compiled, on_device, camera_kinds()[camera.kind], !camera.keys.empty(), filter_, options_.batch, options_.on_step})),
       pixels_(device, options_.batch),
       samples_(device, options_.batch) {}
+
+void Renderer::look_from(const CameraDescription &camera) {
+    camera_ = make_camera(camera, film_settings_.width, film_settings_.height);
+    camera_motion_ = Buffer<MotionPart>(device_, camera_motion(camera, scene_shutter_));
+    shutter_ = shutter_params(camera, scene_shutter_, camera_motion_.size());
+}
 
 std::size_t Renderer::wave_bytes() const { return integrator_->wave_bytes() + filter_.bytes() + pixels_.bytes() + samples_.bytes(); }
 
@@ -150,7 +163,7 @@ Batch Renderer::batch_of(const std::vector<uint> &pixels, uint first, uint sampl
     params.pixels = static_cast<uint>(pixels.size());
     params.first_sample = first;
     params.samples = samples;
-    return {params, pixels_, camera_, interior_, aovs};
+    return {params, pixels_, camera_, shutter_, camera_motion_, interior_, aovs};
 }
 
 void Renderer::render_batch(Film &film, const std::vector<uint> &pixels, uint first, uint samples, Aovs *aovs, WaveObserver *observer) {

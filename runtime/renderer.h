@@ -65,7 +65,7 @@ public:
     void show(const std::vector<uint> &pixels, uint first, uint samples, WaveObserver &observer);
 
     /// Looks from another camera, whose eye is in the same media, from the next render on.
-    void look_from(const CameraDescription &camera) { camera_ = make_camera(camera, film_settings_.width, film_settings_.height); }
+    void look_from(const CameraDescription &camera);
 
     const Integrator &integrator() const { return *integrator_; }
     const Filter &filter() const { return filter_; }
@@ -80,7 +80,10 @@ private:
     Device &device_;
     const FilmSettings film_settings_;
     RenderOptions options_;
+    const Shutter scene_shutter_;
     Camera camera_;
+    Buffer<MotionPart> camera_motion_;
+    ShutterParams shutter_;
     std::vector<uint> interior_;  ///< media that the eye is in
     Filter filter_;
     std::unique_ptr<Integrator> integrator_;

@@ -40,8 +40,8 @@ void expect_whitted(const Scene &scene) {
 /// As if the scene used whatever changes no picture by being there.
 void use_everything(const Scene &scene, CompiledScene &compiled) {
     compiled.bsdfs = numbers_of(bsdf_kinds()), compiled.lights = numbers_of(light_kinds());
-    compiled.reflects = compiled.transmits = compiled.chooses = compiled.emissive_instances = compiled.environment = compiled.highlights =
-        compiled.shading_normals = compiled.tints = true;
+    compiled.moves = compiled.reflects = compiled.transmits = compiled.chooses = compiled.emissive_instances = compiled.environment =
+        compiled.highlights = compiled.shading_normals = compiled.tints = true;
     compiled.bundles = compiled.paths;
     compiled.filters_shadows = scene.integrator.filtered_shadows;
     compiled.interior_size = max_interior_size;

@@ -31,6 +31,7 @@ struct CompiledScene {
     const AcceleratorKind *accelerator = nullptr;
     bool reflects = false, transmits = false;  ///< whether any material spawns such rays
     bool instances = false;                    ///< whether rays look into groups
+    bool moves = false;                        ///< whether any instance moves while the shutter is open
     bool paths = false;                        ///< whether rays go on from every surface
     bool bundles = false;                      ///< whether they go on from the first surface as several, or ask for light there several times
     bool follows_one = false;                  ///< whether of a reflected and a refracted ray one is chosen
@@ -56,6 +57,9 @@ struct CompiledScene {
     std::size_t shading_bytes = 0;                      ///< of shading records, and of vertices' normals, coordinates and colours
     std::map<std::string, uint> warnings;               ///< the scene's and those found here: text -> how often
     std::map<std::string, std::string> warning_places;  ///< of both
+
+    /// Words of a ray's or hit's entry in arrays of instances: with its time where some move.
+    uint place_words() const { return instances ? moves ? 2 : 1 : 0; }
 };
 
 /// Is told which part of an accelerator is built, from 0 to 1, now and then, by any thread, but one at a time.

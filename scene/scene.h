@@ -9,6 +9,7 @@
 #include "kernels/core/params.h"
 #include "kernels/core/scene.h"
 #include "scene/accelerators/build_quality.h"
+#include "scene/motion.h"
 #include "scene/primitives/shape.h"
 #include "scene/textures/texture.h"
 #include "scene/transform.h"
@@ -25,17 +26,25 @@ struct LensDescription {
     float blade_rotation = 0;      ///< angle of a corner from the right, counterclockwise as seen in the direction of view [degrees]
 };
 
+/// A view at a time.
+struct CameraKey {
+    double time;
+    vec3 from, at, up;
+};
+
 struct CameraDescription {
     std::string name;
-    vec3 from{0, 0, 1}, at{0, 0, 0}, up{0, 1, 0};
-    float fov = 0.78539816f;          ///< full vertical angle [radians]
-    std::vector<std::string> inside;  ///< names of the transparent materials that the eye is in
-    uint kind = 0;                    ///< its place in camera_kinds()
+    vec3 from{0, 0, 1}, at{0, 0, 0}, up{0, 1, 0};  ///< of a camera that moves, those of the first key
+    float fov = 0.78539816f;                       ///< full vertical angle [radians]
+    std::vector<std::string> inside;               ///< names of the transparent materials that the eye is in
+    uint kind = 0;                                 ///< its place in camera_kinds()
     // What only some kinds have.
     float height = 0;          ///< of the view [world units]
     float horizontal_fov = 0;  ///< full angle [radians]
     bool equisolid = false;    ///< distances from the picture's middle are as the sines of half the angles, instead of the angles
     LensDescription lens = {};
+    Shutter shutter = {};
+    std::vector<CameraKey> keys = {};  ///< empty if it is at rest while the shutter is open
 };
 
 struct FilmSettings {
@@ -91,15 +100,17 @@ struct NamedGroup {
 struct PlacedGroup {
     uint group;  ///< index into Scene::groups
     TransformPair transforms;
-    Bounds bounds;                ///< in the world
-    uint material = NO_MATERIAL;  ///< index into Scene::materials of what all its objects are made of, if not of their own
-    uint object = NO_OBJECT;      ///< its number among the objects of the scene file
+    Bounds bounds;                        ///< in the world, of the whole motion
+    uint material = NO_MATERIAL;          ///< index into Scene::materials of what all its objects are made of, if not of their own
+    uint object = NO_OBJECT;              ///< its number among the objects of the scene file
+    std::vector<MotionPart> motion = {};  ///< while a shutter is open; empty: it is at rest. Else the transforms are those where that begins
 };
 
 struct Scene {
     std::string file;
     std::vector<std::string> files;          ///< all that have been read for it, itself first
     std::vector<CameraDescription> cameras;  ///< the first is the default
+    Shutter shutter = {};                    ///< from when the first of the cameras opens until the last one has closed
     std::vector<NamedMaterial> materials;
     std::vector<Texture> textures;
     std::vector<std::unique_ptr<Shape>> shapes;

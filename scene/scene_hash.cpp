@@ -58,6 +58,23 @@ void add_camera(const Scene &scene, const CameraDescription &camera, Hash &hash)
     for (const NamedMaterial &material : scene.materials) hash.add_value(is_inside(material.name));
 }
 
+bool moves(const Scene &scene) {
+    return std::ranges::any_of(scene.instances, [](const PlacedGroup &placed) { return !placed.motion.empty(); }) ||
+           std::ranges::any_of(scene.cameras, [](const CameraDescription &camera) { return !camera.keys.empty(); });
+}
+
+void add_motion(const Scene &scene, Hash &hash) {
+    hash.add_value(scene.shutter);
+    for (const PlacedGroup &placed : scene.instances) hash.add(std::as_bytes(std::span(placed.motion)));
+    for (const CameraDescription &camera : scene.cameras) {
+        hash.add_value(camera.shutter);
+        for (const CameraKey &key : camera.keys) {
+            hash.add_value(key.time);
+            for (const vec3 &v : {key.from, key.at, key.up}) hash.add_value(v);
+        }
+    }
+}
+
 }  // namespace
 
 std::uint64_t scene_hash(const Scene &scene, const CompiledScene &compiled) {
@@ -85,6 +102,7 @@ std::uint64_t scene_hash(const Scene &scene, const CompiledScene &compiled) {
     hash.add_value(header.background_turn);
     hash.add_value(header.ambient);
     for (const CameraDescription &camera : scene.cameras) add_camera(scene, camera, hash);
+    if (moves(scene)) add_motion(scene, hash);
     return hash.value();
 }
 

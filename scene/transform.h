@@ -13,6 +13,7 @@ class Parameters;
 struct AffineMap {
     glm::dmat3 linear{1};
     glm::dvec3 offset{0};
+    bool operator==(const AffineMap &) const = default;
 };
 /// First `first`, then `second`.
 AffineMap then(const AffineMap &first, const AffineMap &second);

@@ -21,6 +21,7 @@ std::optional<ViewFault> view_fault(const CameraDescription &camera) {
 }
 
 void ViewChanges::apply(CameraDescription &camera) const {
+    if (from || at || up) camera.keys.clear();
     camera.from = from.value_or(camera.from), camera.at = at.value_or(camera.at), camera.up = up.value_or(camera.up);
     camera.fov = fov.value_or(camera.fov);
 }
@@ -41,6 +42,10 @@ vec3 turned(vec3 p, const CameraDescription &camera, double angle) {
 CameraDescription turned(const CameraDescription &camera, double angle) {
     CameraDescription result = camera;
     result.from = turned(camera.from, camera, angle);
+    for (CameraKey &key : result.keys) {
+        const vec3 above = turned(key.at + key.up, camera, angle);
+        key.from = turned(key.from, camera, angle), key.at = turned(key.at, camera, angle), key.up = above - key.at;
+    }
     return result;
 }
 

@@ -16,7 +16,7 @@ struct ViewFault {
 /// Views have a direction, which leaves open no more than a millionth which way is up, and what their kind of camera needs; nothing if this one does.
 std::optional<ViewFault> view_fault(const CameraDescription &camera);
 
-/// What of a camera is to be replaced.
+/// What of a camera is to be replaced. One whose view is replaced is at rest.
 struct ViewChanges {
     std::optional<vec3> from, at, up;
     std::optional<float> fov;  ///< full vertical angle [radians]

@@ -45,7 +45,9 @@ public:
     json sample(const InspectedSample &sample) {
         total_ = {}, rays_ = 0;
         json tree = ray(sample.ray);
-        return {{"number", sample.number}, {"ray", tree}, {"sum", fixed(widened(sample.sum))}, {"weighed", fixed(widened(sample.weighed))}};
+        json result = {{"number", sample.number}, {"ray", tree}, {"sum", fixed(widened(sample.sum))}, {"weighed", fixed(widened(sample.weighed))}};
+        if (sample.ray.time) result["time"] = scene_.shutter.open + double(*sample.ray.time) * (scene_.shutter.close - scene_.shutter.open);
+        return result;
     }
 
 private:

@@ -215,7 +215,8 @@ std::string inspection_text(const json &inspection, bool brief) {
                            text_of(inspection["spp"]), text_of(inspection["seed"]), text_of(inspection["integrator"]),
                            text_of(inspection["max_depth"]), text_of(inspection["threshold"])));
     for (const json &sample : inspection["samples"]) {
-        lines.line(fmt::format("sample {}: {}", text_of(sample["number"]), radiance(sample["sum"])));
+        const std::string time = sample.contains("time") ? " at time " + text_of(sample["time"]) : "";
+        lines.line(fmt::format("sample {}{}: {}", text_of(sample["number"]), time, radiance(sample["sum"])));
         write_tree(lines, sample["ray"], true);
         if (!brief) write_details(lines, sample["ray"]);
         lines.field("sum of sample " + text_of(sample["number"]), fixed_point(sample["sum"]));

@@ -36,6 +36,9 @@ std::vector<std::string> features_in_use(const Job &job) {
     used.push_back("integrator " + scene.integrator.type);
     if (compiled.bundles) used.push_back("bundles of rays: " + text_of(scene.integrator.bundles_in_use()));
     if (compiled.instance_count > 0) used.push_back(counted(compiled.instance_count, "instance") + " of " + counted(compiled.group_count, "group"));
+    const auto moving = std::ranges::count_if(scene.instances, [](const PlacedGroup &placed) { return !placed.motion.empty(); });
+    if (moving > 0) used.push_back("motion of " + counted(std::size_t(moving), "instance"));
+    if (!job.camera.keys.empty()) used.push_back("motion of the camera");
     if (compiled.shading_normals) used.push_back("shading normals");
     if (compiled.texture_count > 0) used.push_back(counted(compiled.texture_count, "texture"));
     if (compiled.header.vertex_colors.count > 0) used.push_back("vertex colours");
@@ -55,6 +58,7 @@ std::vector<Skipped> kinds_not_in_use(const CompiledScene &compiled) {
         if (std::find(compiled.primitives.begin(), compiled.primitives.end(), kind) == compiled.primitives.end())
             skipped.push_back({std::string("primitive ") + kind->name, "the scene has none"});
     if (compiled.instance_count == 0) skipped.push_back({"instances", "the scene has none"});
+    if (!compiled.moves) skipped.push_back({"times of rays", "no instance moves while the shutter is open"});
     const uint environment = kind_number(light_kinds(), "environment");
     for (uint kind = 0; kind < light_kinds().size(); ++kind)
         if (std::find(compiled.lights.begin(), compiled.lights.end(), kind) == compiled.lights.end())

@@ -14,6 +14,7 @@ typedef struct {
     uint instance;       ///< that the hit is in
     uint inside;
     float entry;
+    TIME_OF_HITS
 } Nearest;
 
 /// How far behind the closest hit others are looked for, over pad: coincident faces are that near even at grazing angles, where rounding of a plane
@@ -26,7 +27,10 @@ FUNCTION float crowd_margin(Ray ray, float extent) {
 
 /// `extent`: of the world.
 FUNCTION Nearest nothing_hit(Ray ray, float extent) {
-    const Nearest nearest = {{ray.t_max, 0.0f, 0.0f, NO_HIT}, INFINITY, crowd_margin(ray, extent), NO_HIT, 0u, 0.0f};
+    Nearest nearest;
+    nearest.hit = (Hit){ray.t_max, 0.0f, 0.0f, NO_HIT};
+    nearest.next = INFINITY, nearest.margin = crowd_margin(ray, extent);
+    nearest.instance = NO_HIT, nearest.inside = 0u, nearest.entry = 0.0f;
     return nearest;
 }
 
@@ -45,7 +49,10 @@ FUNCTION bool is_hit(uint primitive, const Nearest *nearest) {
     return (primitive == nearest->hit.primitive) & (!INSTANCES | (nearest->inside == nearest->instance));
 }
 
-FUNCTION PlacedHit closest_of(Nearest nearest) { return placed(nearest.hit, INSTANCES && nearest.hit.primitive != NO_HIT ? nearest.instance : 0u); }
+FUNCTION PlacedHit closest_of(Nearest nearest) {
+    const uint instance = INSTANCES && nearest.hit.primitive != NO_HIT ? nearest.instance : 0u;
+    return placed(nearest.hit, PLACEMENT(instance, nearest.time));
+}
 
 /// A nearer hit, or an equally near one of a primitive of lower number, replaces the closest one.
 FUNCTION void meet(Nearest *nearest, float t, float u, float v, uint primitive) {
@@ -66,6 +73,7 @@ typedef struct {
     uint count;
     uint inside;
     float entry;
+    TIME_OF_HITS
 } HitList;
 
 FUNCTION HitList empty_list(void) {
@@ -83,7 +91,7 @@ FUNCTION bool is_before(PlacedHit a, PlacedHit b) {
 
 /// A hit that is in the list already does not come twice.
 FUNCTION void hit_list_add(HitList *list, Hit hit) {
-    PlacedHit added = placed(hit, list->inside);
+    PlacedHit added = placed(hit, PLACEMENT(list->inside, list->time));
     for (uint k = 0u; k < list->count; ++k) {
         const PlacedHit other = list->hits[k];
         if (is_before(other, added)) continue;

@@ -1,9 +1,9 @@
 // Instances in blocks, and the groups that they place.
 #pragma once
 #include "generated/constants.h"
+#include "generated/instances.cl"
 #include "kernels/core/rays.cl"
 #include "kernels/core/scene.cl"
-#include "kernels/primitives/instance.cl"
 
 #include "kernels/core/lanes_8.cl"
 #include "kernels/primitives/instance_hit.cl"

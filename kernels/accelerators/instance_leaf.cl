@@ -11,7 +11,7 @@ FUNCTION Ray ray_in_instance(Scene scene, uint instance, const SingleRay *world)
     Ray ray;
     ray.origin = first_lane(world->origin), ray.direction = first_lane(world->direction), ray.t_max = first_lane(world->t_max);
     ray.tag = RAY_TAG(0u, first_lane(world->source_instance) == (int)instance ? (uint)first_lane(world->source) : NO_HIT);
-    return ray_in_group(scene, instance, ray);
+    return ray_in_group(scene, PLACEMENT(instance, first_lane(world->time)), ray);
 }
 
 FUNCTION SingleRay prepare_in_group(Scene scene, uint instance, const SingleRay *world) {

@@ -2,6 +2,7 @@
 // node is met, and the more rays go where only some of them have to.
 #pragma once
 #include "generated/constants.h"
+#include "generated/instances.cl"
 #include "kernels/core/items.h"
 #include "kernels/core/rays.cl"
 #include "kernels/core/transpose.cl"
@@ -26,6 +27,7 @@ typedef struct {
     int16 tag, axis;        ///< axis of the largest component of the direction
     int16 source;           ///< number of the primitive that it leaves
     int16 source_instance;  ///< and the instance which that is in; only in scenes with instances
+    TIME_OF_ROW
 } Row;
 
 typedef struct {
@@ -38,10 +40,14 @@ FUNCTION int16 major_axes(vec3x16 d) {
     return ((x >= y) & (x >= z)) ? (int16)(0) : y >= z ? (int16)(1) : (int16)(2);
 }
 
-FUNCTION int16 source_instances_of(const uint *numbers, const global uint *source_instances, uint skipped) {
+FUNCTION void take_sources(const uint *numbers, const global uint *source_instances, uint skipped, Row *row) {
     int sources[ROW];
-    for (uint j = 0u; j < ROW; ++j) sources[j] = (int)source_instances[numbers[j] - skipped];
-    return vload16(0, sources);
+    for (uint j = 0u; j < ROW; ++j) {
+        const Placement source = instance_at(source_instances, numbers[j] - skipped);
+        sources[j] = (int)instance_number(source);
+        SET_LANE_TIME(*row, j, source.time);
+    }
+    row->source_instance = vload16(0, sources);
 }
 
 /// The rays of 16 numbers, of which the first `count` count: the other lanes have t_max -1. The instance of what ray k leaves is
@@ -63,7 +69,7 @@ FUNCTION Row row_of(const global Ray *rays, const uint *numbers, uint count, con
     row.tag = as_int16(end[3]);
     row.axis = major_axes(row.direction);
     row.source = (row.tag >> 2 & 0x3fffffff) - 1;
-    if (INSTANCES) row.source_instance = source_instances_of(numbers, source_instances, skipped);
+    if (INSTANCES) take_sources(numbers, source_instances, skipped, &row);
     return row;
 }
 

@@ -7,17 +7,17 @@
 #include "kernels/primitives/transform.cl"
 
 #include "kernels/core/lanes_1.cl"
+#include "generated/instance_rows.cl"
 
 /// The rays in the space of an instance's group; lanes that do not enter its box have t_max -1.
 FUNCTION Row row_in_group(Scene scene, uint instance, const ray_x16 *world, int16 enters) {
-    const global Transform *m = &SCENE_ARRAY(scene, Instance, instances)[instance].to_group;
     Row row;
-    row.origin = transformed_point(m, world->origin);
-    row.direction = transformed_direction(m, world->direction);
+    transform_row(scene, instance, world, enters, &row);
     row.t_max = enters ? world->t_max : (float16)(-1.0f);
     row.source = world->source_instance == (int16)((int)instance) ? world->source : (int16)((int)NO_HIT);
     row.axis = major_axes(row.direction);
     row.tag = (int16)(0), row.source_instance = (int16)(0);
+    SET_TIME(row, (float16)(0.0f));
     return row;
 }
 

@@ -81,6 +81,7 @@ FUNCTION PacketRays packet_rays(const Packet *packet, uint axis, float extent) {
         const float16 t_max = lanes_along(row, axis) ? row->t_max : (float16)(-1.0f);
         rays.rows[r] = lane_ray(row->origin, row->direction, t_max, axis, row->source, extent);
         if (INSTANCES) rays.rows[r].source_instance = row->source_instance;
+        SET_TIME(rays.rows[r], row->time);
     }
     bound_rays(&rays);
     return rays;

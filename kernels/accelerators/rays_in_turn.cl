@@ -28,6 +28,7 @@ FUNCTION PreparedRays prepare_each(const Row *row, float extent) {
     ray_x16 rays = lane_ray(row->origin, row->direction, row->t_max, 0u, row->source, extent);
     rays.turned_origin = turned(row->origin, &prepared), rays.shear = shear_of(turned(row->direction, &prepared));
     if (INSTANCES) rays.source_instance = row->source_instance;
+    SET_TIME(rays, row->time);
     prepared.rays = rays;
     const int16 x = rays.inverse.x < 0.0f, y = rays.inverse.y < 0.0f, z = rays.inverse.z < 0.0f;
     const vec3x16 low = rays.shift_low, high = rays.shift_high;
@@ -57,6 +58,7 @@ FUNCTION ray_x8 widened(const PreparedRays *prepared, uint lane, float t_max) {
     wide.origin = WIDE3(origin), wide.direction = WIDE3(direction), wide.t_max = (float8)(t_max);
     wide.inverse_square = WIDE(inverse_square);
     wide.source = WIDE_NUMBER(source), wide.source_instance = WIDE_NUMBER(source_instance);
+    SET_TIME(wide, LANE_TIME(*rays, lane));
     wide.pad = WIDE(pad);
     wide.inverse = WIDE3(inverse), wide.shift_low = WIDE3(shift_low), wide.shift_high = WIDE3(shift_high);
     wide.turned_origin = WIDE3(turned_origin), wide.shear = WIDE3(shear);

@@ -80,6 +80,7 @@ FUNCTION void begin(const Course *course, Traversal *traversal, const PreparedRa
 FUNCTION void closest_begin(const Course *course, Traversal *traversal, const PreparedRays *rays, uint lane, Ray ray) {
     begin(course, traversal, rays, lane);
     traversal->nearest = nothing_hit(ray, course->world->extent);
+    SET_TIME(traversal->nearest, LANE_TIME(rays->rays, lane));
 }
 
 FUNCTION void any_begin(const Course *course, Traversal *traversal, const PreparedRays *rays, uint lane) {

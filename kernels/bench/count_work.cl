@@ -19,9 +19,10 @@ kernel void count_closest_hits(SCENE_PARAMS, uint count, const global Ray *restr
         SingleRay prepared = prepare_in_world(world, rays[i], instance_at(sources, i));
         COUNT_IN(prepared, &work);
         Nearest nearest = nothing_hit(rays[i], world->extent);
+        SET_TIME(nearest, instance_at(sources, i).time);
         world_closest_hit(scene, world, &prepared, &nearest);
         hits[i] = nearest.hit;
-        store_instance(instances, i, instance_of(closest_of(nearest)));
+        store_instance(instances, i, place_of(closest_of(nearest)));
         works[i] = work;
     }
 }

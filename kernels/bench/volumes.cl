@@ -28,7 +28,7 @@ kernel void test_blocks(SCENE_PARAMS, const global Ray *restrict rays, uint coun
     const Scene scene = SCENE;
     const global Group *world = &scene.header->world;
     FOR_EACH_ITEM_SERIALLY(i, count) {
-        const ray_x8 ray = prepare_in_world(world, rays[i], 0u);
+        const ray_x8 ray = prepare_in_world(world, rays[i], PLACEMENT(0u, 0.0f));
         uint met = 0u, block = i & last_block;
         for (uint n = 0u; n < TESTS; ++n) {
             const bool meets = block_any_hit(scene, world, 0u, block, &ray, 0);

@@ -1,4 +1,5 @@
 // Template: rays, boxes and crossings for the lane width in force: LaneRay, LaneBox and Crossing name that width's types. Included once per width.
+#include "generated/time.cl"
 #include "generated/work.cl"
 
 /// Ray(s) prepared for tracing. Boxes are tested as (plane ∓ pad - origin) / direction, where the pad exceeds every rounding error of the
@@ -14,6 +15,7 @@ typedef struct {
     real3 turned_origin;                   ///< origin[kx], origin[ky], origin[kz]
     real3 shear;                           ///< direction[kx] / direction[kz], direction[ky] / direction[kz], 1 / direction[kz]
     uint kx, ky, kz;                       ///< axes; kz has the largest component of the direction
+    TIME_OF_RAY
     WORK_OF_RAY
 } LaneRay;
 

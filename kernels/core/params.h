@@ -15,6 +15,12 @@ typedef struct {
     float words[CAMERA_WORDS];
 } Camera;
 
+/// When a camera's shutter is open, and how many parts its motion has: none if it is at rest.
+typedef struct {
+    float open, close;  ///< where in the scene's time
+    uint parts;
+} ShutterParams;
+
 /// Which samples of which pixels a batch holds: slot = pixel in batch × samples + sample - first_sample.
 typedef struct {
     uint pixels, first_sample, samples;

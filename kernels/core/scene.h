@@ -57,6 +57,7 @@ typedef struct {
     Group world;
     Span groups;                     ///< Group per group that has instances
     Span instances;                  ///< Instance, the world's being the first; none in scenes without them
+    Span motion_parts;               ///< MotionPart of instances that move
     Span shading;                    ///< ShadingRecord per primitive, in scene order; those of groups come last
     Span vertex_normals;             ///< VertexNormals of smooth triangles
     Span vertex_uvs, vertex_colors;  ///< VertexUvs, VertexColors of triangles that have some

@@ -194,7 +194,8 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
         if (LIGHTS) {
             const ChosenLight light = {chosen.light[c], chosen.inverse_chance[c], chosen.radiance[c]};
             const vec2 square = sampler_pair(which.pixel, which.sample, part_within(row.path, row.asking), uses + USE_LIGHT, batch);
-            const LightRandom random = light_random(square, path.branch + number);
+            LightRandom random = light_random(square, path.branch + number);
+            SET_TIME(random, instance_at(instances, i).time);
             const LightSample sample = light_sample(scene, light_of_columns(&chunk_lights, c), met.at.origin, random);
             const AskingRay asking = asking_ray(met, path, row, light, sample);
             shadow_rays[first_shadow + i] = asking.ray;
@@ -206,7 +207,7 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
 
 /// What a ray carries of what shines where it ends. It is weighted against the light that its origin has asked, where the surface there chose the
 /// ray's direction with density `pdf`.
-FUNCTION Spectrum met_light(Scene scene, uint first_generation, Ray ray, float pdf, uint instance, SurfacePoint surface, SurfaceInterface interface,
+FUNCTION Spectrum met_light(Scene scene, uint first_generation, Ray ray, float pdf, Placement place, SurfacePoint surface, SurfaceInterface interface,
                             vec3 wo, Tints tint) {
     const bool asked = LIGHTS && first_generation == 0u;
     if ((surface.flags & SURFACE_HIT) == 0u) {
@@ -217,7 +218,7 @@ FUNCTION Spectrum met_light(Scene scene, uint first_generation, Ray ray, float p
     if (!asked) return radiance;
     const ShadingRecord record = SCENE_ARRAY(scene, ShadingRecord, shading)[SURFACE_PRIMITIVE(surface.flags)];
     const vec3 straight = minus(surface.origin, ray.origin);
-    const float density = emission_density(scene, record, instance, radiance, ray.origin, surface.origin, interface.geometric,
+    const float density = emission_density(scene, record, place, radiance, ray.origin, surface.origin, interface.geometric,
                                            sqrt(dot3(straight, straight)), dot3(interface.geometric, wo));
     return scaled(radiance, power_heuristic(density / pdf));
 }

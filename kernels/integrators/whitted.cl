@@ -107,8 +107,8 @@ kernel void spawn_whitted(SCENE_PARAMS, WhittedParams params, LIVE_PARAMS, const
 /// Work-items (chunk, row): the shadow ray from hit i to light first_light + row, at row * stride + i; alive where the light faces the surface.
 /// Where it faces the shading normal only, the ray goes through the surface itself, and meets it.
 kernel void spawn_shadow_rays(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint stride, const global Path *restrict paths,
-                              const global SurfacePoint *restrict points, const global SurfaceInterface *restrict interfaces,
-                              global Ray *restrict shadow_rays, global uchar *restrict alive) {
+                              const global uint *restrict instances, const global SurfacePoint *restrict points,
+                              const global SurfaceInterface *restrict interfaces, global Ray *restrict shadow_rays, global uchar *restrict alive) {
     const Scene scene = SCENE;
     const global uint *list = live + first;
     const uint row = get_global_id(1);
@@ -117,7 +117,7 @@ kernel void spawn_shadow_rays(SCENE_PARAMS, LIVE_PARAMS, uint first_light, uint 
     global uchar *row_alive = alive + row * stride;
     FOR_EACH_ITEM(i, count) {
         const SurfacePoint surface = load(points + i);
-        const LightSample sample = light_sample(scene, light, surface.origin, paths[list[i]].branch);
+        const LightSample sample = light_sample(scene, light, surface.origin, paths[list[i]].branch, instance_at(instances, i));
         const bool leaves = !SHADING_NORMALS || dot3(load(interfaces + i).geometric, sample.ray_direction) > 0.0f;
         row_rays[i] = ray_to_light(surface.origin, sample.ray_direction, sample.distance, leaves ? SURFACE_PRIMITIVE(surface.flags) : NO_HIT);
         row_alive[i] = light_refusals(surface, sample) == 0u;
@@ -133,9 +133,10 @@ typedef struct {
 /// filters[row * stride + i] lets it through where shadows are filtered, and where `with_unlit` is 1 by what needs no light: background, emission,
 /// ambient light.
 kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint with_unlit, uint first_light, uint lights, uint stride, const global Path *restrict paths,
-                          const global SurfacePoint *restrict points, const global SurfaceInterface *restrict interfaces,
-                          const global vec3 *restrict directions, const global Tints *restrict tints, const global uchar *restrict visible,
-                          const global Spectrum *restrict filters, global Spectrum *restrict contributions) {
+                          const global uint *restrict instances, const global SurfacePoint *restrict points,
+                          const global SurfaceInterface *restrict interfaces, const global vec3 *restrict directions,
+                          const global Tints *restrict tints, const global uchar *restrict visible, const global Spectrum *restrict filters,
+                          global Spectrum *restrict contributions) {
     const Scene scene = SCENE;
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     const global uint *list = live + first;
@@ -169,7 +170,7 @@ kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint with_unlit, uint first
             phong.specular = make3(columns.specular[0][c], columns.specular[1][c], columns.specular[2][c]);
             phong.exponent = columns.exponent[c];
             const SurfacePoint surface = load(points + i);
-            const LightSample sample = light_sample(scene, light, surface.origin, paths[list[i]].branch);
+            const LightSample sample = light_sample(scene, light, surface.origin, paths[list[i]].branch, instance_at(instances, i));
             const Spectrum irradiance = filtered(sample.irradiance, filters, row * stride + i);
             const float ending = SHADING_NORMALS ? terminator_factor(surface.normal, load(interfaces + i).geometric, sample.direction) : 1.0f;
             const Spectrum value = scaled(times(phong_local(phong, surface.normal, load(directions + i), sample.direction), irradiance), ending);

@@ -35,10 +35,10 @@ FUNCTION float inverse_light_density(ChosenLight chosen, LightSample sample) {
 }
 
 /// The density with which a path at `from` would have chosen, as a point of a light, what its ray met at p, `distance` away [1/sr]: with the unit
-/// normal there, on a primitive of this radiance, in that instance. 0 where emissive shapes are not asked.
-FUNCTION float emission_density(Scene scene, ShadingRecord record, uint instance, Spectrum radiance, vec3 from, vec3 p, vec3 normal, float distance,
+/// normal there, on a primitive of this radiance, in that place. 0 where emissive shapes are not asked.
+FUNCTION float emission_density(Scene scene, ShadingRecord record, Placement place, Spectrum radiance, vec3 from, vec3 p, vec3 normal, float distance,
                                 float cosine) {
-    const float by_area = mean_of(radiance) * scene.header->emission_chance * emissive_area_in_group(scene, instance, normal);
-    const vec3 from_in_group = lit_point_in_group(scene, instance, from), p_in_group = lit_point_in_group(scene, instance, p);
+    const float by_area = mean_of(radiance) * scene.header->emission_chance * emissive_area_in_group(scene, place, normal);
+    const vec3 from_in_group = lit_point_in_group(scene, place, from), p_in_group = lit_point_in_group(scene, place, p);
     return by_area * primitive_emission_factor(record, from_in_group, p_in_group) * distance * distance / fabs(cosine);
 }

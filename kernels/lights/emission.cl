@@ -6,17 +6,20 @@
 #include "kernels/lights/emission.h"
 #include "kernels/lights/light.h"
 
+/// Where the light is, at the time at which it is asked.
+#define PLACE_OF_LIGHT(emission, random) PLACEMENT((emission).instance, (random).time)
+
 FUNCTION EmissivePoint emissive_point(vec3 p, vec3 normal, float error, float inverse_density) {
     EmissivePoint point;
     point.p = p, point.normal = normal, point.error = error, point.inverse_density = inverse_density;
     return point;
 }
 
-/// Light at p in the world from a point in the shape's own space. The ray to it ends a little off the surface, towards p: by the bound on the point's
-/// distance from the surface, and by the rounding of a ray's end, so that it cannot meet the surface. Points no further than that above the surface
-/// are on it, and get nothing: flat surfaces do not light themselves, nor do round ones from outside.
-FUNCTION LightSample emission_sample(Scene scene, Emission emission, vec3 p, EmissivePoint own) {
-    const EmissivePoint q = emissive_point_in_world(scene, emission.instance, p, own);
+/// Light at p in the world from a point in the space of the shape, which is in this place. The ray to it ends a little off the surface, towards p: by
+/// the bound on the point's distance from the surface, and by the rounding of a ray's end, so that it cannot meet the surface. Points no further than
+/// that above the surface are on it, and get nothing: flat surfaces do not light themselves, nor do round ones from outside.
+FUNCTION LightSample emission_sample(Scene scene, Emission emission, Placement place, vec3 p, EmissivePoint own) {
+    const EmissivePoint q = emissive_point_in_world(scene, place, p, own);
     const vec3 straight = minus(q.p, p);
     const float square = dot3(straight, straight), height = dot3(q.normal, straight);
     const float off = q.error + 0x1p-20f * (sqrt(square) + largest(absolute(q.p)));

@@ -27,5 +27,5 @@ FUNCTION LightSample emissive_flat_sample(Scene scene, Light l, vec3 p, LightRan
     Emission emission;
     emission.power = light.power, emission.instance = light.instance, emission.dark = light.dark;
     emission.stratum.salt = 0u, emission.stratum.cell = 0u;
-    return emission_sample(scene, emission, p, emissive_point(q, normal, error, 1.0f));
+    return emission_sample(scene, emission, PLACE_OF_LIGHT(emission, random), p, emissive_point(q, normal, error, 1.0f));
 }

@@ -31,5 +31,5 @@ FUNCTION LightSample emissive_frustum_sample(Scene scene, Light l, vec3 p, Light
     const vec3 q = plus(light.center, plus(scaled(light.along, z), scaled(outward, radius)));
     const vec3 normal = unit(minus(scaled(outward, half_length), scaled(axis, light.rise)));
     const float error = 0x1p-20f * (largest(absolute(light.center)) + half_length + light.radius + fabs(light.rise));
-    return emission_sample(scene, light.emission, p, emissive_point(q, normal, error, 1.0f));
+    return emission_sample(scene, light.emission, PLACE_OF_LIGHT(light.emission, random), p, emissive_point(q, normal, error, 1.0f));
 }

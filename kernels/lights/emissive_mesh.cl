@@ -48,5 +48,6 @@ FUNCTION LightSample emissive_mesh_sample(Scene scene, Light l, vec3 p, LightRan
     const vec2 square = curve_point(face, random), folded = triangle_of_square(square);
     const float s = face->folded > 0.0f ? folded.x : square.x, t = face->folded > 0.0f ? folded.y : square.y;
     const vec3 q = plus(load(&face->corner), plus(scaled(load(&face->u), s), scaled(load(&face->v), t)));
-    return emission_sample(scene, light.emission, p, emissive_point(q, load(&face->normal), face->error, 1.0f));
+    return emission_sample(scene, light.emission, PLACE_OF_LIGHT(light.emission, random), p,
+                           emissive_point(q, load(&face->normal), face->error, 1.0f));
 }

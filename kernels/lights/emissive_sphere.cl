@@ -23,7 +23,8 @@ FUNCTION EmissiveSphere emissive_sphere_view(Light l) {
 /// between -1 and 1, and the density 1 / (4 pi radius²).
 FUNCTION LightSample emissive_sphere_sample(Scene scene, Light l, vec3 world_p, LightRandom random) {
     const EmissiveSphere light = emissive_sphere_view(l);
-    const vec3 p = lit_point_in_group(scene, light.emission.instance, world_p);
+    const Placement place = PLACE_OF_LIGHT(light.emission, random);
+    const vec3 p = lit_point_in_group(scene, place, world_p);
     const vec2 square = stratum_point(light.emission.stratum, random);
     const bool outside = emissive_sphere_offset(light.center, light.radius, p) > 0.0f;
     const vec3 f = minus(p, light.center);
@@ -35,5 +36,5 @@ FUNCTION LightSample emissive_sphere_sample(Scene scene, Light l, vec3 world_p, 
     const vec3 normal = unit(from_axis(axis, z, turn(square.y)));
     const vec3 q = plus(light.center, scaled(normal, light.radius));
     const float error = 0x1p-21f * (largest(absolute(light.center)) + light.radius);
-    return emission_sample(scene, light.emission, world_p, emissive_point(q, normal, error, inverse_density));
+    return emission_sample(scene, light.emission, place, world_p, emissive_point(q, normal, error, inverse_density));
 }

@@ -1,5 +1,6 @@
 // Lights of all kinds in use.
 #pragma once
+#include "generated/instances.cl"
 #include "generated/lights.cl"
 #include "kernels/core/items.cl"
 #include "kernels/lights/light.h"
@@ -23,9 +24,11 @@ FUNCTION LightSample light_sample(Scene scene, Light light, vec3 p, LightRandom 
     return sample;
 }
 
-/// The same for the ray with this branch, for each light other numbers.
-FUNCTION LightSample light_sample(Scene scene, Light light, vec3 p, uint branch) {
-    return light_sample(scene, light, p, light_random(light, branch));
+/// The same for the ray with this branch, for each light other numbers, and at the time of what is lit there.
+FUNCTION LightSample light_sample(Scene scene, Light light, vec3 p, uint branch, Placement lit) {
+    LightRandom random = light_random(light, branch);
+    SET_TIME(random, lit.time);
+    return light_sample(scene, light, p, random);
 }
 
 /// All that speaks against asking whether the light is visible: LIGHT_...; 0 where it may add something.

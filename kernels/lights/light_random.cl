@@ -1,14 +1,16 @@
 // The numbers by which points of lights are chosen: functions of the way from the eye, the light and the cell, never of a lane or of the time.
 #pragma once
+#include "generated/time.cl"
 #include "kernels/core/lanes_1.cl"
 #include "kernels/core/random.cl"
 #include "kernels/core/scene.h"
 
-/// Never stored.
+/// And, where something moves, the time at which the light is asked. Never stored.
 typedef struct {
     vec2 square;  ///< a point in [0, 1)²
     uint curve;   ///< or, for what divides Morton's curve through the square, a place on it
     uint random;  ///< further numbers are hashes of it
+    TIME_OF_HITS
 } LightRandom;
 
 /// For the ray with this branch; each emissive shape's cell has other numbers by its salt, in word 3. What lights of other kinds have there is all

@@ -1,11 +1,7 @@
 /// Instances: groups of primitives that transforms place in the world.
 #pragma once
 #include "kernels/core/scene.h"
-
-/// p -> x p.x + y p.y + z p.z + origin.
-typedef struct {
-    vec3 x, y, z, origin;
-} Transform;
+#include "kernels/primitives/transform.h"
 
 /// 128 bytes. Number 0 is the world itself: primitives in it are in no instance.
 typedef struct {
@@ -13,7 +9,9 @@ typedef struct {
     Transform to_group;  ///< its inverse, rounded once
     uint group;          ///< entry of SceneHeader.groups
     uint material;       ///< that of all its primitives; NO_MATERIAL: they have their own
-    uint spare[6];
+    uint first_part,
+        parts;  ///< of its motion, entries of SceneHeader.motion_parts; none: it is at rest. Else the transforms are those of the first time
+    uint spare[4];
 } Instance;
 
 typedef struct {

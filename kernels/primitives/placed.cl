@@ -7,8 +7,8 @@
 
 FUNCTION Surface surface_of(Scene scene, Ray ray, PlacedHit hit) {
     const ShadingRecord record = SCENE_ARRAY(scene, ShadingRecord, shading)[hit.hit.primitive];
-    const Ray inner = ray_in_group(scene, instance_of(hit), ray);
-    return surface_in_world(scene, instance_of(hit), primitive_surface_serially(scene, record, inner, hit.hit));
+    const Ray inner = ray_in_group(scene, place_of(hit), ray);
+    return surface_in_world(scene, place_of(hit), primitive_surface_serially(scene, record, inner, hit.hit));
 }
 
 /// Whether the ray cannot meet the same again further on.
@@ -32,7 +32,7 @@ FUNCTION Ray ray_behind(Ray ray, PlacedHit met, Surface surface) {
 }
 
 FUNCTION uint material_index_of(Scene scene, PlacedHit hit) {
-    return material_in_instance(scene, instance_of(hit), SCENE_ARRAY(scene, ShadingRecord, shading)[hit.hit.primitive].material);
+    return material_in_instance(scene, place_of(hit), SCENE_ARRAY(scene, ShadingRecord, shading)[hit.hit.primitive].material);
 }
 FUNCTION const global Material *material_of(Scene scene, PlacedHit hit) {
     return SCENE_ARRAY(scene, Material, materials) + material_index_of(scene, hit);

@@ -2,3 +2,4 @@
 #pragma once
 
 #define USE_LENS 0x10000u
+#define USE_TIME 0x10001u

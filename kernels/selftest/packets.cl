@@ -26,8 +26,8 @@ kernel void test_packets(SCENE_PARAMS, const global Ray *restrict rays, const gl
         uint occluded[ROWS];
         scene_occluded(scene, &packet, occluded);
         for (uint j = 0u; j < min(PACKET, end - begin); ++j) {
-            const Hit hit = scene_closest_hit(scene, rays[begin + j], 0u).hit;
-            const uint is_hit = hit.primitive != NO_HIT, alone = scene_any_hit(scene, rays[begin + j], 0u, 0);
+            const Hit hit = scene_closest_hit(scene, rays[begin + j], PLACEMENT(0u, 0.0f)).hit;
+            const uint is_hit = hit.primitive != NO_HIT, alone = scene_any_hit(scene, rays[begin + j], PLACEMENT(0u, 0.0f), 0);
             hits[begin + j] = hit;
             differences[begin + j] =
                 (is_same(closest, j, hit) ? 0u : 1u) | ((occluded[j / ROW] >> j % ROW & 1u) != is_hit ? 2u : 0u) | (alone != is_hit ? 4u : 0u);

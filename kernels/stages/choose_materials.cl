@@ -12,7 +12,7 @@
 FUNCTION float chance_of_second(Scene scene, Choice choice, uint texture, Ray ray, PlacedHit hit) {
     Spectrum amount = choice.amount;
     if (texture != 0u) {
-        const Ray inner = ray_in_group(scene, instance_of(hit), ray);
+        const Ray inner = ray_in_group(scene, place_of(hit), ray);
         const Pattern pattern = primitive_pattern(scene, SCENE_ARRAY(scene, ShadingRecord, shading)[hit.hit.primitive], inner, hit.hit);
         amount = times(amount, color_of(scene, texture, pattern.uv));
     }

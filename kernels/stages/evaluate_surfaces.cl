@@ -26,17 +26,20 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
     Columns chunk_rays, chunk_records;
     fetch_columns(rays, 8u, numbers, chunk.items, &chunk_rays);
     fetch_columns(records, 16u, primitives, chunk.items, &chunk_records);
+    PlaceColumns chunk_places;
+    fetch_places(scene, instances, chunk, &chunk_places);
     FOR_EACH_ITEM(i, count) {
         const Ray ray = ray_of_columns(&chunk_rays, i - chunk.begin);
         const Hit hit = load(hits + i);
         const bool on_surface = (hit.primitive != NO_HIT) & (hit.t >= 0.0f);  // reads the whole record: see SurfacePoint
         const ShadingRecord record = shading_of_columns(&chunk_records, i - chunk.begin);
-        const uint instance = instance_at(instances, i);
-        const Surface surface = surface_in_world(scene, instance, primitive_surface(scene, record, ray_in_group(scene, instance, ray), hit));
+        const Placement place = instance_at(instances, i);
+        const PlacedTransforms transforms = transforms_of_columns(scene, instances, i, &chunk_places, i - chunk.begin);
+        const Surface surface = surface_in_world(transforms, primitive_surface(scene, record, ray_in_group(transforms, ray), hit));
         const bool enters = dot3(surface.geometric, ray.direction) < 0.0f;
         const float side = enters ? 1.0f : -1.0f;
 
-        const uint material_index = material_at_hit(chosen, i, material_in_instance(scene, instance, record.material));
+        const uint material_index = material_at_hit(chosen, i, material_in_instance(scene, place, record.material));
         const global Material *material = materials + material_index;
         const bool transmits = (material->flags & MATERIAL_TRANSMITS) != 0u;
         const bool lit_beyond = transmits & !enters;

@@ -18,7 +18,7 @@ kernel void find_interfaces(SCENE_PARAMS, LIVE_PARAMS, global Ray *restrict rays
         cross_to_interface(scene, &passage, lost, &tally, 0);
         rays[k] = passage.ray;
         hits[i] = passage.met.hit;
-        store_instance(sources, k, passage.source_instance), store_instance(instances, i, instance_of(passage.met));
+        store_instance(sources, k, passage.source), store_instance(instances, i, place_of(passage.met));
         interior_store(interiors, k, passage.inside);
         interior_store(beyond, i, passage.behind);
         etas[i] = passage.eta;

@@ -1,13 +1,16 @@
 // Starts paths at the eye.
 #include "generated/camera.cl"
 #include "generated/filter.cl"
+#include "generated/shutter.cl"
 #include "kernels/samplers/slot.cl"
 #include "kernels/samplers/uses.h"
 
 /// Slot i becomes the ray of sample first_sample + i % samples of pixel pixels[i / samples]. Of cameras that do not see everywhere, seen[i] says
-/// whether there is one.
-kernel void generate_camera_rays(Camera camera, BatchParams batch, FILTER_PARAMS, const global uint *restrict pixels, uint count,
-                                 global Ray *restrict rays, global Path *restrict paths, global uint *restrict live, global uchar *restrict seen,
+/// whether there is one. Where something moves every sample has a time, at which its ray begins where the camera's motion has brought it; where
+/// instances move sources[i] keeps it.
+kernel void generate_camera_rays(Camera camera, ShutterParams shutter, const global CameraMotion *restrict motion, BatchParams batch, FILTER_PARAMS,
+                                 const global uint *restrict pixels, uint count, global Ray *restrict rays, global uint *restrict sources,
+                                 global Path *restrict paths, global uint *restrict live, global uchar *restrict seen,
                                  global Sample *restrict samples) {
     const CameraView view = camera_view(camera);
     FOR_EACH_ITEM(i, count) {
@@ -21,7 +24,10 @@ kernel void generate_camera_rays(Camera camera, BatchParams batch, FILTER_PARAMS
         const bool corner = batch.position == PIXEL_CORNER;
         const float x = corner ? (float)(int)px / (float)(int)(max(camera.width, 2u) - 1u) : ((float)(int)px + u) / (float)(int)camera.width;
         const float y = corner ? (float)(int)py / (float)(int)(max(camera.height, 2u) - 1u) : ((float)(int)py + v) / (float)(int)camera.height;
-        rays[i] = camera_ray(camera.position, view, x, y, sampler_pair(pixel, sample, whole_sample(), USE_LENS, batch));
+        const Ray ray = camera_ray(camera.position, view, x, y, sampler_pair(pixel, sample, whole_sample(), USE_LENS, batch));
+        const float time = time_of_sample(pixel, sample, batch, shutter);
+        rays[i] = moved_with_camera(ray, motion, shutter, time);
+        store_time(sources, i, time);
         store_seen(seen, i, view, x, y);
 
         Path path;

@@ -43,14 +43,14 @@ FUNCTION uint faces_of(Scene scene, Ray ray, const HitList *list, Face *faces) {
 }
 
 /// The closest hit, and what coincides with it.
-FUNCTION HitList hits_at(Scene scene, Ray ray, uint source_instance, PlacedHit closest, bool crowded) {
+FUNCTION HitList hits_at(Scene scene, Ray ray, Placement source, PlacedHit closest, bool crowded) {
     HitList list = empty_list();
     if (!crowded) {
         list.hits[0] = closest, list.count = 1u;
         return list;
     }
     ray.t_max = closest.hit.t + crowd_margin(ray, scene.header->world.extent);
-    scene_any_hit(scene, ray, source_instance, &list);
+    scene_any_hit(scene, ray, source, &list);
     keep_coincident(scene, ray, &list);
     return list;
 }
@@ -78,7 +78,7 @@ FUNCTION PlacedHit foremost(Scene scene, const HitList *list) {
 /// A ray on its way to an interface.
 typedef struct {
     Ray ray;
-    uint source_instance;  ///< of the primitive that it leaves
+    Placement source;  ///< of the primitive that it leaves
     PlacedHit met;
     bool crowded;             ///< whether `met` has company
     Interior inside, behind;  ///< the media before and behind `met`
@@ -88,7 +88,7 @@ typedef struct {
 /// Sees what is on both sides of `met`. False where it is no interface, because the medium that counts stays.
 FUNCTION bool is_interface(Scene scene, Passage *passage, volatile global uint *lost) {
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
-    const HitList list = hits_at(scene, passage->ray, passage->source_instance, passage->met, passage->crowded);
+    const HitList list = hits_at(scene, passage->ray, passage->source, passage->met, passage->crowded);
     passage->met = foremost(scene, &list);
     if (!transmits(scene, passage->met)) {
         passage->eta = interior_medium(passage->inside, materials).eta / material_of(scene, passage->met)->eta;
@@ -107,9 +107,9 @@ FUNCTION void pass_on(Scene scene, Passage *passage, FaceList *passed) {
     const bool enters = dot3(surface.geometric, passage->ray.direction) < 0.0f;
     if (passed) face_list_add(passed, passage->met, surface.p, enters, make3(1.0f, 1.0f, 1.0f));
     passage->ray = ray_behind(passage->ray, passage->met, surface);
-    passage->source_instance = instance_of(passage->met);
+    passage->source = place_of(passage->met);
     passage->inside = passage->behind;
-    const Nearest nearest = scene_closest_hit(scene, passage->ray, passage->source_instance);
+    const Nearest nearest = scene_closest_hit(scene, passage->ray, passage->source);
     passage->met = closest_of(nearest);
     passage->crowded = is_crowded(nearest);
 }
@@ -124,9 +124,9 @@ FUNCTION void cross_to_interface(Scene scene, Passage *passage, volatile global 
 }
 
 /// Of a ray in the media `inside`.
-FUNCTION Passage passage_of(Ray ray, uint source_instance, PlacedHit met, bool crowded, Interior inside) {
+FUNCTION Passage passage_of(Ray ray, Placement source, PlacedHit met, bool crowded, Interior inside) {
     Passage passage;
-    passage.ray = ray, passage.source_instance = source_instance;
+    passage.ray = ray, passage.source = source;
     passage.met = met, passage.crowded = crowded;
     passage.inside = inside, passage.behind = inside, passage.eta = 1.0f;
     return passage;

@@ -15,7 +15,7 @@ kernel void intersect(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays
         const Nearest nearest = scene_closest_hit(scene, ray, instance_at(sources, k));
         const Hit hit = nearest.hit;
         hits[i] = hit;
-        store_instance(instances, i, instance_of(closest_of(nearest)));
+        store_instance(instances, i, place_of(closest_of(nearest)));
         if (INTERIOR_SIZE > 0u) crowded[i] = is_crowded(nearest);
         tally.rays[RAY_KIND(ray.tag)] += 1u;
         tally.hits[RAY_KIND(ray.tag)] += hit.primitive != NO_HIT;

@@ -14,13 +14,13 @@ kernel void intersect_interleaved(SCENE_PARAMS, LIVE_PARAMS, const global Ray *r
     prepare_list(rays, live + first, next, end, sources, 0u, course.world->extent, prepared);
     const uint start = next;
 #define BEGIN(traversal, i) closest_begin(&course, traversal, prepared + (i - start) / ROW, (i - start) % ROW, rays[live[first + i]])
-#define END(traversal, i)                                           \
-    const Nearest nearest = (traversal)->nearest;                   \
-    hits[i] = nearest.hit;                                          \
-    store_instance(instances, i, instance_of(closest_of(nearest))); \
-    if (INTERIOR_SIZE > 0u) crowded[i] = is_crowded(nearest);       \
-    const uint kind = RAY_KIND(rays[live[first + i]].tag);          \
-    tally.rays[kind] += 1u;                                         \
+#define END(traversal, i)                                        \
+    const Nearest nearest = (traversal)->nearest;                \
+    hits[i] = nearest.hit;                                       \
+    store_instance(instances, i, place_of(closest_of(nearest))); \
+    if (INTERIOR_SIZE > 0u) crowded[i] = is_crowded(nearest);    \
+    const uint kind = RAY_KIND(rays[live[first + i]].tag);       \
+    tally.rays[kind] += 1u;                                      \
     tally.hits[kind] += nearest.hit.primitive != NO_HIT
     TRACE_IN_TURN(next, end, &course, BEGIN, closest, END)
 #undef BEGIN

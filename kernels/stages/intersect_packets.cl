@@ -10,10 +10,10 @@ FUNCTION void store_hits(global Hit *hits, uint count, RowHits closest) {
     for (uint j = 0u; j < count; ++j) vstore4(hit[j], j, (global float *)hits);
 }
 
-FUNCTION void store_instances(global uint *instances, uint count, RowHits closest) {
+FUNCTION void store_instances(global uint *instances, uint first, uint count, const Row *row, RowHits closest) {
     uint instance[ROW];
     vstore16(closest.primitive == (uint16)(NO_HIT) ? (uint16)(0u) : closest.instance, 0, instance);
-    for (uint j = 0u; j < count; ++j) store_instance(instances, j, instance[j]);
+    for (uint j = 0u; j < count; ++j) store_instance(instances, first + j, PLACEMENT(instance[j], LANE_TIME(*row, j)));
 }
 
 FUNCTION void store_crowded(global uchar *crowded, uint count, RowHits closest) {
@@ -35,7 +35,7 @@ kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
         FOR_EACH_ROW(r) {
             const uint start = begin + r * ROW, rays_here = rays_of_row(r, begin, end);
             store_hits(hits + start, rays_here, closest.rows[r]);
-            if (INSTANCES) store_instances(instances + start, rays_here, closest.rows[r]);
+            if (INSTANCES) store_instances(instances, start, rays_here, &packet.rows[r], closest.rows[r]);
             if (INTERIOR_SIZE > 0u) store_crowded(crowded + start, rays_here, closest.rows[r]);
             count_rays(&packet.rows[r], rays_here, &closest.rows[r], &tally);
         }

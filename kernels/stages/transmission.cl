@@ -33,13 +33,13 @@ FUNCTION bool are_one(Pane a, Pane b) { return a.material == b.material && a.ent
 /// The product of all faces' transmissions, in the order of (t, instance, primitive), as any accelerator finds them. `passed` ends with the face that
 /// takes the rest of the light, if one does. Of what a ray can cross twice a list of hits has but the first crossing: it is good up to the first such
 /// thing, and what coincides with that; the rest is looked for from behind it.
-FUNCTION Spectrum transmission_along(Scene scene, Ray ray, uint source_instance, FaceList *passed) {
+FUNCTION Spectrum transmission_along(Scene scene, Ray ray, Placement source, FaceList *passed) {
     Spectrum light = make3(1.0f, 1.0f, 1.0f);
     Pane last, behind;
     last.material = 0;
     for (;;) {
         HitList list = empty_list();
-        scene_any_hit(scene, ray, source_instance, &list);
+        scene_any_hit(scene, ray, source, &list);
         const bool all = list.count < HIT_LIST_SIZE;
         bool flat = true;
         uint from = 0u;
@@ -55,7 +55,7 @@ FUNCTION Spectrum transmission_along(Scene scene, Ray ray, uint source_instance,
             light = times(light, part);
         }
         if ((all && flat) || largest(light) <= 0.0f) return light;
-        source_instance = instance_of(list.hits[from]);
+        source = place_of(list.hits[from]);
         ray = ray_behind(ray, list.hits[from], behind.surface);
     }
 }

@@ -71,13 +71,14 @@ Kernel &RayTracing::stage(const Traversal &traversal, const char *Traversal::*qu
     const std::pair<std::string, std::string> names{traversal.name, traversal.*question};
     const auto known = stages_.find(names);
     if (known != stages_.end()) return known->second;
-    return stages_.emplace(names, traversal_kernel(device_, traversal, question, compiled_)).first->second;
+    return stages_.emplace(names, traversal_kernel(device_, traversal, question, compiled_, Times::first)).first->second;
 }
 
 Kernel &RayTracing::counter(const std::string &name) {
     const auto known = counters_.find(name);
     if (known != counters_.end()) return known->second;
-    return counters_.emplace(name, Kernel(device_, "kernels/bench/count_work.cl", name, counting(scene_.lists()))).first->second;
+    return counters_.emplace(name, Kernel(device_, "kernels/bench/count_work.cl", name, counting(specialize(compiled_, apart_.lanes, Times::first))))
+        .first->second;
 }
 
 void RayTracing::take(const RaySpan &rays) {

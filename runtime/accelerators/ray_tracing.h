@@ -42,7 +42,7 @@ struct TraceSeconds {
     double wall;    ///< from before their launch until the host knows that they have ended
 };
 
-/// At most `batch` rays at once.
+/// At most `batch` rays at once; where the scene moves, as it is at its first time.
 class RayTracing {
 public:
     RayTracing(Device &device, const CompiledScene &compiled, const DeviceScene &on_device, uint batch);

@@ -41,9 +41,9 @@ const Traversal &traversal_of_render(bool coherent, const DeviceInfo &device, co
     });
 }
 
-Kernel traversal_kernel(Device &device, const Traversal &traversal, const char *Traversal::*question, const CompiledScene &compiled) {
+Kernel traversal_kernel(Device &device, const Traversal &traversal, const char *Traversal::*question, const CompiledScene &compiled, Times times) {
     const char *stage = traversal.*question;
-    return Kernel(device, fmt::format("kernels/stages/{}.cl", stage), stage, specialize(compiled, traversal.lanes));
+    return Kernel(device, fmt::format("kernels/stages/{}.cl", stage), stage, specialize(compiled, traversal.lanes, times));
 }
 
 }  // namespace brandung

@@ -32,7 +32,8 @@ bool is_available(const Traversal &traversal, const DeviceInfo &device, const Co
 const Traversal &traversal_of_render(bool coherent, const DeviceInfo &device, const CompiledScene &scene);
 
 /// One of its stages: &Traversal::closest_hit or any_hit.
-Kernel traversal_kernel(Device &device, const Traversal &traversal, const char *Traversal::*question, const CompiledScene &compiled);
+Kernel traversal_kernel(Device &device, const Traversal &traversal, const char *Traversal::*question, const CompiledScene &compiled,
+                        Times times = Times::of_rays);
 
 /// Rays from the eye stay together, and so does what mirrors and glass make of them once; paths scatter, and the others go their own ways.
 inline bool are_coherent(uint generation, bool paths) { return generation == 0 || (generation == 1 && !paths); }

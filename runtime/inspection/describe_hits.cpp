@@ -17,7 +17,7 @@ void describe(Device &device, const DeviceScene &scene, const std::vector<Traced
         if (!ray->hits()) continue;
         hitting.push_back(ray);
         rays.push_back(ray->ray), hits.push_back(ray->hit);
-        instances.push_back(ray->instance), etas.push_back(ray->interface.eta);
+        add_place(instances, ray->instance, *ray), etas.push_back(ray->interface.eta);
         materials.push_back(ray->point.material);
     }
     if (hitting.empty()) return;
@@ -34,10 +34,10 @@ void describe(Device &device, const DeviceScene &scene, const std::vector<Traced
 void describe_lights(Device &device, const DeviceScene &scene, const std::vector<TracedRay *> &traced) {
     std::vector<TracedLight *> silent;
     std::vector<SurfacePoint> points;
-    std::vector<uint> branches, rows;
+    std::vector<uint> branches, instances, rows;
     for_each_light(traced, [&](const TracedRay &ray, TracedLight &light) {
         if (light.asked) return;
-        silent.push_back(&light), points.push_back(ray.point);
+        silent.push_back(&light), points.push_back(ray.point), add_place(instances, ray.instance, ray);
         branches.push_back(ray.path.branch), rows.push_back(light.row);
     });
     if (silent.empty()) return;
@@ -45,8 +45,8 @@ void describe_lights(Device &device, const DeviceScene &scene, const std::vector
     Kernel describe(device, "kernels/stages/describe_lights.cl", "describe_lights", scene.lists());
     const std::size_t count = silent.size();
     const Buffer<LightDescription> descriptions(device, count);
-    describe(count, scene, Buffer<SurfacePoint>(device, points), Buffer<uint>(device, branches), Buffer<uint>(device, rows), static_cast<uint>(count),
-             descriptions);
+    describe(count, scene, Buffer<SurfacePoint>(device, points), Buffer<uint>(device, branches), Buffer<uint>(device, instances),
+             Buffer<uint>(device, rows), static_cast<uint>(count), descriptions);
     const std::vector<LightDescription> read = descriptions.read();
     for (std::size_t i = 0; i < count; ++i) silent[i]->description = read[i];
 }
@@ -57,7 +57,8 @@ void find_blockers(Device &device, const DeviceScene &scene, const std::vector<T
     std::vector<Ray> rays;
     std::vector<uint> sources;
     for_each_light(traced, [&](const TracedRay &ray, TracedLight &light) {
-        if (light.asked && !light.visible && !light.filter) blocked.push_back(&light), rays.push_back(light.ray), sources.push_back(ray.instance);
+        if (light.asked && !light.visible && !light.filter)
+            blocked.push_back(&light), rays.push_back(light.ray), add_place(sources, ray.instance, ray);
     });
     if (blocked.empty()) return;
 
@@ -66,7 +67,7 @@ void find_blockers(Device &device, const DeviceScene &scene, const std::vector<T
     std::iota(all.begin(), all.end(), 0u);
     Kernel intersect(device, "kernels/stages/intersect.cl", "intersect", scene.lists());
     const Buffer<Hit> hits(device, count);
-    Buffer<uint> instances(device, count);
+    Buffer<uint> instances(device, sources.size());
     instances.fill_zero();
     const Buffer<std::uint8_t> crowded(device, count);
     const Buffer<Tally> tallies(device, intersect.work_items(count));
@@ -74,7 +75,8 @@ void find_blockers(Device &device, const DeviceScene &scene, const std::vector<T
               instances, crowded, tallies);
     const std::vector<Hit> read = hits.read();
     const std::vector<uint> read_instances = instances.read();
-    for (std::size_t i = 0; i < count; ++i) blocked[i]->blocker = read[i], blocked[i]->blocker_instance = read_instances[i];
+    for (std::size_t i = 0; i < count; ++i)
+        blocked[i]->blocker = read[i], blocked[i]->blocker_instance = read_instances[i * (sources.size() / count)];
 }
 
 }  // namespace

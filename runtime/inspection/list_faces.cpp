@@ -37,7 +37,7 @@ void list_passed_faces(Device &device, const DeviceScene &scene, const std::vect
     std::vector<uint> sources, interiors;
     for (TracedRay *ray : traced) {
         if (!ray->passed_faces()) continue;
-        passing.push_back(ray), rays.push_back(ray->begun), sources.push_back(ray->begun_instance);
+        passing.push_back(ray), rays.push_back(ray->begun), add_place(sources, ray->begun_instance, *ray);
         interiors.insert(interiors.end(), ray->begun_media.begin(), ray->begun_media.end());
     }
     if (passing.empty()) return;
@@ -65,7 +65,7 @@ void list_shadow_faces(Device &device, const DeviceScene &scene, const std::vect
     std::vector<Ray> rays;
     std::vector<uint> sources;
     for_each_light(traced, [&](const TracedRay &ray, TracedLight &light) {
-        if (light.filter) filtered.push_back(&light), rays.push_back(light.ray), sources.push_back(ray.instance);
+        if (light.filter) filtered.push_back(&light), rays.push_back(light.ray), add_place(sources, ray.instance, ray);
     });
     if (filtered.empty()) return;
 

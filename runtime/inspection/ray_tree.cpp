@@ -1,6 +1,7 @@
 #include "runtime/inspection/ray_tree.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "scene/vectors.h"
@@ -52,6 +53,7 @@ TracedRay traced_ray(const WaveRecords &wave, std::size_t i) {
                   .behind = media(wave.behind, wave.interior_size, i),
                   .unlit = wave.unlit[i],
                   .lights = lights_of(wave, i)};
+    if (!wave.times.empty()) ray.time = wave.times[i];
     if (!wave.tints.empty()) ray.tints = wave.tints[i];
     for (const ChildRecords &child : wave.children) {
         ray.children.push_back({child.rays[i], child.weights[i], nullptr});
@@ -61,6 +63,11 @@ TracedRay traced_ray(const WaveRecords &wave, std::size_t i) {
 }
 
 }  // namespace
+
+void add_place(std::vector<uint> &places, uint instance, const TracedRay &ray) {
+    places.push_back(instance);
+    if (ray.time) places.push_back(std::bit_cast<uint>(*ray.time));
+}
 
 RayTrees::RayTrees(uint samples) : trees_(samples), waiting_(1) {
     for (TracedRay &tree : trees_) waiting_[0].push_back(&tree);

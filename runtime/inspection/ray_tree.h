@@ -57,6 +57,7 @@ struct TracedRay {
     std::vector<uint> before, behind;  ///< lists of media, as kernels/core/interior.cl has them
     HitDescription description{};      ///< by describe_hits(), where something was hit
     std::optional<Tints> tints;        ///< none in scenes without
+    std::optional<float> time;         ///< none where no instance moves
     Spectrum unlit;                    ///< radiance that needs no light
     std::vector<TracedLightBlock> lights;
     std::vector<TracedChild> children;  ///< the mirrored ray, then the refracted one, as far as the scene needs them; or the one that was chosen
@@ -82,6 +83,9 @@ private:
     std::vector<Sample> sums_;
     std::vector<std::vector<TracedRay *>> waiting_;  ///< by generation and slot: what a ray is to become
 };
+
+/// Adds to an array of instances, as kernels read it, what is in this one at the ray's time.
+void add_place(std::vector<uint> &places, uint instance, const TracedRay &ray);
 
 /// All rays of trees.
 std::vector<TracedRay *> all_rays(std::vector<TracedRay> &trees);

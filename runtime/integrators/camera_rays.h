@@ -22,6 +22,7 @@ public:
 private:
     const Filter &filter_;
     Kernel generate_;
+    uint place_words_;
     Buffer<std::uint8_t> seen_;  ///< only of cameras that do not see everywhere
     std::optional<Compaction> compact_;
 };

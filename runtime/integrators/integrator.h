@@ -55,6 +55,7 @@ struct IntegratorJob {
     const CompiledScene &compiled;
     const DeviceScene &on_device;
     const CameraKind &camera;
+    bool camera_moves;
     const Filter &filter;  ///< must live as long as the integrator
     uint batch;            ///< rays per wave
     const WatchSteps &on_step;

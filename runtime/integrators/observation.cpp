@@ -1,6 +1,7 @@
 #include "runtime/integrators/observation.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace brandung {
 namespace {
@@ -14,19 +15,34 @@ template <class T> std::vector<T> gather(const Buffer<T> &buffer, const std::vec
     return items;
 }
 
+/// The words of places, without the times; 0 in scenes without instances.
+std::vector<uint> instances_of(const std::vector<uint> &places, uint words, std::size_t count) {
+    std::vector<uint> instances(count);
+    for (std::size_t i = 0; words > 0 && i < count; ++i) instances[i] = places[i * words];
+    return instances;
+}
+
+/// Empty in scenes where nothing moves.
+std::vector<float> times_of(const std::vector<uint> &places, uint words) {
+    std::vector<float> times;
+    for (std::size_t i = 1; words == 2 && i < places.size(); i += 2) times.push_back(std::bit_cast<float>(places[i]));
+    return times;
+}
+
 }  // namespace
 
-Observation::Observation(Device &device, uint batch, uint branching, uint interior_size)
+Observation::Observation(Device &device, uint batch, uint branching, uint interior_size, uint place_words)
     : unit_paths(device, std::max(batch, branching)),
       rays(device, std::size_t{batch} * branching),
       paths(device, std::size_t{batch} * branching),
-      sources(device, std::size_t{batch} * branching),
+      sources(device, std::size_t{batch} * branching * place_words),
       interiors(device, std::size_t{batch} * branching * interior_size),
       alive(device, std::size_t{batch} * branching),
       all_visible(device, std::vector<std::uint8_t>(batch, 1)),
       arriving(device, batch),
       radiance(device, batch),
-      branching_(branching) {
+      branching_(branching),
+      place_words_(place_words) {
     records.interior_size = interior_size;
 }
 
@@ -34,7 +50,8 @@ void Observation::begin(const Wave &wave, bool coherent) {
     records = {.generation = wave.generation, .coherent = coherent, .base = wave.base, .interior_size = records.interior_size};
     records.slots = wave.level.live.read(wave.first, wave.count);
     records.begun = gather(wave.level.rays, records.slots);
-    records.begun_instances = wave.level.sources.size() > 0 ? gather(wave.level.sources, records.slots) : std::vector<uint>(wave.count);
+    const std::vector<uint> sources = gather(wave.level.sources, records.slots, place_words_);
+    records.begun_instances = instances_of(sources, place_words_, wave.count), records.times = times_of(sources, place_words_);
     if (records.interior_size > 0) records.begun_media = gather(wave.level.interiors, records.slots, records.interior_size);
     records.paths = gather(wave.level.paths, records.slots);
     std::vector<Path> unit = wave.level.paths.read();
@@ -46,7 +63,7 @@ void Observation::record_hits(const Wave &wave, const Buffer<Hit> &hits, const B
                               const Buffer<SurfaceInterface> &interfaces, const Buffer<vec3> &directions, const Buffer<uint> &beyond) {
     records.rays = gather(wave.level.rays, records.slots);
     records.hits = hits.read(0, wave.count);
-    records.instances = instances.size() > 0 ? instances.read(0, wave.count) : std::vector<uint>(wave.count);
+    records.instances = instances_of(instances.read(0, std::size_t{wave.count} * place_words_), place_words_, wave.count);
     records.points = points.read(0, wave.count);
     records.interfaces = interfaces.read(0, wave.count);
     records.directions = directions.read(0, wave.count);

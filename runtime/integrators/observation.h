@@ -6,7 +6,7 @@
 namespace brandung {
 
 struct Observation {
-    Observation(Device &device, uint batch, uint branching, uint interior_size);
+    Observation(Device &device, uint batch, uint branching, uint interior_size, uint place_words);
 
     /// Before the wave's rays are traced, as `coherent` says.
     void begin(const Wave &wave, bool coherent);
@@ -31,7 +31,7 @@ struct Observation {
     Buffer<Spectrum> radiance;         ///< by item
 
 private:
-    uint branching_;
+    uint branching_, place_words_;
 };
 
 }  // namespace brandung

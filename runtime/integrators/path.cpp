@@ -36,7 +36,7 @@ public:
           shade_(job.device, path_cl, "shade_path", scene_.lists()),
           accumulate_(job.device, "kernels/stages/accumulate.cl", "accumulate", scene_.lists()),
           levels_(job.device, job.batch, {rows_, 1}, params_.max_depth + 1,
-                  {.interior_size = job.compiled.interior_size, .instances = job.compiled.instances, .pdfs = true}, job.on_step),
+                  {.interior_size = job.compiled.interior_size, .place_words = job.compiled.place_words(), .pdfs = true}, job.on_step),
           surfaces_(job, true, std::max(generate_.work_items(job.batch), rows_ * generate_.work_items(levels_.wave_size(0)))),
           compact_(job.device, levels_.capacity(), 1),
           alive_(job.device, levels_.capacity()),
@@ -95,16 +95,16 @@ private:
         const uint rows = wave.generation == 0 ? rows_ : 1, slots = rows * wave.count;
         if (lit) asked_->shadows.share_among(rows);
         spawn_(Grid(wave.count, rows), scene_.tables(), params_, batch.params, several(batch.pixels, 1.0 / batch.params.samples), wave,
-               wave.level.paths, surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.hit_instances, surfaces_.tints(),
+               wave.level.paths, surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.places(), surfaces_.tints(),
                surfaces_.in_lists(wave.level.interiors), surfaces_.in_lists(surfaces_.beyond()), shared(scene_.texels()), wave.base,
                lit ? asked_->shadows.stride : 0u, in_rows(below.rays, rows), in_rows(below.paths, rows), in_rows(below.pdfs, rows),
-               in_rows(below.sources, rows), surfaces_.in_lists(below.interiors), in_rows(alive_, rows),
+               surfaces_.in_places(below.sources), surfaces_.in_lists(below.interiors), in_rows(alive_, rows),
                in_rows(lit ? asked_->shadows.rays : no_rays_, rows), in_rows(lit ? asked_->light : no_spectra_, rows),
                in_rows(lit ? asked_->shadows.visible : surfaces_.no_bytes, rows));
         compact_(alive_, slots, slots, 1, wave.base, below.end, below.live);
         if (!lit) return;
         asked_->shadows.list(wave.count, asking_rows(wave));
-        asked_->shadows.trace(scene_, wave.generation, wave.count, asking_rows(wave), surfaces_.hit_instances, surfaces_.counter);
+        asked_->shadows.trace(scene_, wave.generation, wave.count, asking_rows(wave), surfaces_.places(), surfaces_.counter);
     }
 
     uint asking_rows(const Wave &wave) const { return wave.generation == 0 ? params_.bundles.light : 1; }
@@ -112,7 +112,7 @@ private:
     void shade(const Wave &wave) {
         const bool lit = asked_.has_value();
         const uint rows = lit && wave.children != nullptr ? asking_rows(wave) : 0;
-        shade_(wave.count, scene_, uint{wave.generation == 0}, wave, wave.level.rays, wave.level.paths, wave.level.pdfs, surfaces_.hit_instances,
+        shade_(wave.count, scene_, uint{wave.generation == 0}, wave, wave.level.rays, wave.level.paths, wave.level.pdfs, surfaces_.places(),
                surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.tints(), rows, lit ? asked_->shadows.stride : 0u,
                several(lit ? asked_->shadows.visible : surfaces_.no_bytes, rows), several(lit ? asked_->light : no_spectra_, rows), contributions_);
     }

@@ -28,7 +28,7 @@ struct Shadows {
     /// Lists those among the first `count` of each of the first `used` rows for which `visible` says that they ask.
     void list(uint count, uint used) { compact(visible, stride, count, used, 0, 0, live); }
     /// Leaves in `visible` whether anything is in the way of those that are listed. They leave from hits in `instances`.
-    void trace(const DeviceScene &scene, uint generation, uint count, uint used, const Buffer<uint> &instances, RayCounter &counter) {
+    void trace(const DeviceScene &scene, uint generation, uint count, uint used, Access instances, RayCounter &counter) {
         Kernel &trace = are_shadow_rays_coherent(generation) ? trace_together : *trace_apart;
         trace(Grid(count, used), scene, in_rows(live, rows), shared(compact.counts()), stride, in_rows(rays, rows), instances, in_rows(visible, rows),
               shared(counter.tallies()));

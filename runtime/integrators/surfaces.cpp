@@ -7,9 +7,9 @@
 namespace brandung {
 
 Surfaces::Surfaces(const IntegratorJob &job, bool bounces, std::size_t tallies)
-    : instances(job.compiled.instances),
+    : place_words(job.compiled.place_words()),
       hits(job.device, job.batch),
-      hit_instances(job.device, instances ? job.batch : 0),
+      hit_instances(job.device, std::size_t{job.batch} * place_words),
       points(job.device, job.batch),
       interfaces(job.device, job.batch),
       directions(job.device, job.batch),
@@ -30,7 +30,7 @@ Surfaces::Surfaces(const IntegratorJob &job, bool bounces, std::size_t tallies)
 }
 
 void Surfaces::start(Level &first, const Batch &batch) {
-    if (instances) first.sources.fill_zero();
+    if (place_words > 0) first.sources.fill_zero();
     if (!media) return;
     if (std::all_of(batch.interior.begin(), batch.interior.end(), [](uint entry) { return entry == 0; })) return first.interiors.fill_zero();
     std::vector<uint> interiors;
@@ -40,12 +40,12 @@ void Surfaces::start(Level &first, const Batch &batch) {
 
 void Surfaces::trace(const Wave &wave) {
     Kernel &intersect = stay_together(wave) ? intersect_together_ : *intersect_apart_;
-    intersect(wave.count, scene_, wave, wave.level.rays, wave.level.sources, hits, hit_instances, media ? media->crowded : no_bytes,
+    intersect(wave.count, scene_, wave, wave.level.rays, in_places(wave.level.sources), hits, places(), media ? media->crowded : no_bytes,
               shared(counter.tallies()));
     counter.add(intersect.work_items(wave.count));
     if (!media) return;
-    media->find(wave.count, scene_, wave, wave.level.rays, wave.level.sources, hits, hit_instances, media->crowded, in_lists(wave.level.interiors),
-                in_lists(media->beyond), media->etas, shared(media->lost), shared(counter.tallies()));
+    media->find(wave.count, scene_, wave, wave.level.rays, in_places(wave.level.sources), hits, places(), media->crowded,
+                in_lists(wave.level.interiors), in_lists(media->beyond), media->etas, shared(media->lost), shared(counter.tallies()));
     counter.add(media->find.work_items(wave.count));
 }
 
@@ -53,11 +53,10 @@ void Surfaces::find(const Wave &wave, const Batch &batch) {
     trace(wave);
     const Buffer<float> &etas = media ? media->etas : no_floats;
     if (choices)
-        choices->choose(wave.count, scene_, shared(scene_.texels()), wave, wave.level.rays, wave.level.paths, hits, hit_instances, updated(etas),
+        choices->choose(wave.count, scene_, shared(scene_.texels()), wave, wave.level.rays, wave.level.paths, hits, places(), updated(etas),
                         choices->chosen);
-    evaluate_(wave.count, scene_, wave, wave.level.rays, hits, hit_instances, etas, choices ? choices->chosen : no_words, points, interfaces,
-              directions);
-    if (pictures) pictures->look_up(wave.count, scene_, shared(scene_.texels()), wave, wave.level.rays, hits, hit_instances, points, pictures->tints);
+    evaluate_(wave.count, scene_, wave, wave.level.rays, hits, places(), etas, choices ? choices->chosen : no_words, points, interfaces, directions);
+    if (pictures) pictures->look_up(wave.count, scene_, shared(scene_.texels()), wave, wave.level.rays, hits, places(), points, pictures->tints);
     if (batch.aovs && wave.generation == 0) batch.aovs->record(batch, scene_, wave, hits, hit_instances, points, tints());
 }
 

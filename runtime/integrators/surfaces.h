@@ -24,13 +24,16 @@ public:
     const Buffer<uint> &beyond() const { return media ? media->beyond : no_words; }
     /// An array that has an entry for each place of an item's list of media.
     Access in_lists(const Buffer<uint> &buffer) const { return several(buffer, interior_size_); }
+    /// One of instances, which holds times too where some move.
+    Access in_places(const Buffer<uint> &buffer) const { return several(buffer, place_words); }
+    Access places() const { return in_places(hit_instances); }
     uint interior_size() const { return interior_size_; }
     std::uint64_t media_lost() const { return media ? media->lost.read().at(0) : 0; }
     std::size_t bytes() const;
     /// The stages that the scene does without.
     void add_skipped(std::vector<Skipped> &skipped) const;
 
-    bool instances;  ///< whether the scene has some
+    uint place_words;  ///< of a ray or hit in arrays of instances; 0 where the scene has none
     Buffer<Hit> hits;
     Buffer<uint> hit_instances;  ///< of the hits, in scenes with instances
     Buffer<SurfacePoint> points;

@@ -39,6 +39,7 @@ struct WaveRecords {
     std::vector<Path> paths;
     std::vector<Hit> hits;                         ///< of `rays`
     std::vector<uint> instances, begun_instances;  ///< of `hits`, and of the primitives that `begun` leave: 0 outside of all
+    std::vector<float> times;                      ///< of the rays, where instances move; else empty
     std::vector<SurfacePoint> points;
     std::vector<SurfaceInterface> interfaces;
     std::vector<vec3> directions;        ///< back along the rays

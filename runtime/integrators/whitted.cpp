@@ -29,7 +29,7 @@ public:
           accumulate_(job.device, "kernels/stages/accumulate.cl", "accumulate", scene_.lists()),
           surfaces_(job, branching_ > 0, generate_.work_items(job.batch) * std::clamp(light_count_, 1u, lights_per_block)),
           levels_(job.device, job.batch, {branching_, branching_}, branching_ == 0 ? 1 : params_.max_depth,
-                  {.interior_size = job.compiled.interior_size, .instances = surfaces_.instances}, job.on_step),
+                  {.interior_size = job.compiled.interior_size, .place_words = surfaces_.place_words}, job.on_step),
           contributions_(job.device, job.batch),
           refused_(job.device, 1),
           no_spectra_(job.device, 0) {
@@ -43,7 +43,7 @@ public:
 
     void render(const Batch &batch, Buffer<Sample> &samples, WaveObserver *observer) override {
         observation_.reset();
-        if (observer) observation_.emplace(device_, batch_, branching_, surfaces_.interior_size());
+        if (observer) observation_.emplace(device_, batch_, branching_, surfaces_.interior_size(), surfaces_.place_words);
         Level &first = levels_.start(batch.count());
         surfaces_.start(first, batch);
         generate_(batch, first, samples);
@@ -107,8 +107,8 @@ private:
     void spawn(const Wave &wave) {
         Level &below = *wave.children;
         secondary_->spawn(wave.count, scene_.tables(), params_, wave, wave.level.paths, surfaces_.points, surfaces_.interfaces, surfaces_.directions,
-                          surfaces_.hit_instances, surfaces_.in_lists(wave.level.interiors), surfaces_.in_lists(surfaces_.beyond()), wave.base,
-                          children(below.rays), children(below.paths), children(below.sources),
+                          surfaces_.places(), surfaces_.in_lists(wave.level.interiors), surfaces_.in_lists(surfaces_.beyond()), wave.base,
+                          children(below.rays), children(below.paths), several(below.sources, branching_ * surfaces_.place_words),
                           several(below.interiors, branching_ * surfaces_.interior_size()), children(secondary_->alive));
         const uint slots = wave.count * branching_;
         secondary_->compact(secondary_->alive, slots, slots, 1, wave.base, below.end, below.live);
@@ -120,6 +120,7 @@ private:
         if (rows > 0) trace_shadows(wave, light, rows);
         const Buffer<std::uint8_t> &visible = shadows_ ? shadows_->visible : surfaces_.no_bytes;
         shade_(wave.count, scene_.tables(), wave, uint{light == 0}, light, rows, stride, wave.level.paths, surfaces_.points, surfaces_.interfaces,
+
                surfaces_.directions, surfaces_.tints(), several(visible, rows), several(shadow_filter_ ? shadow_filter_->filters : no_spectra_, rows),
                contributions_);
         accumulate_(wave.count, wave, wave.level.paths, contributions_, updated(samples), shared(refused_));
@@ -132,14 +133,14 @@ private:
     void trace_shadows(const Wave &wave, uint light, uint rows) {
         Shadows &shadows = *shadows_;
         const uint count = wave.count;
-        (*spawn_shadow_rays_)(Grid(count, rows), scene_.tables(), wave, light, shadows.stride, wave.level.paths, surfaces_.points,
+        (*spawn_shadow_rays_)(Grid(count, rows), scene_.tables(), wave, light, shadows.stride, wave.level.paths, surfaces_.places(), surfaces_.points,
                               surfaces_.interfaces, in_rows(shadows.rays, shadows.rows), in_rows(shadows.visible, shadows.rows));
         shadows.list(count, rows);
         if (observation_) record_shadow_rays(wave, light, rows);
-        shadows.trace(scene_, wave.generation, count, rows, surfaces_.hit_instances, surfaces_.counter);
+        shadows.trace(scene_, wave.generation, count, rows, surfaces_.places(), surfaces_.counter);
         if (!shadow_filter_) return;
         shadow_filter_->filter(Grid(count, rows), scene_, in_rows(shadows.live, shadows.rows), shared(shadows.compact.counts()), shadows.stride,
-                               in_rows(shadows.rays, shadows.rows), surfaces_.hit_instances, in_rows(shadows.visible, shadows.rows),
+                               in_rows(shadows.rays, shadows.rows), surfaces_.places(), in_rows(shadows.visible, shadows.rows),
                                in_rows(shadow_filter_->filters, shadows.rows));
     }
 
@@ -169,6 +170,7 @@ private:
     std::vector<Spectrum> radiance(const Wave &wave, uint with_unlit, uint light, uint lights) {
         Observation &o = *observation_;
         shade_(wave.count, scene_, wave, with_unlit, light, lights, 0u, o.unit_paths, surfaces_.points, surfaces_.interfaces, surfaces_.directions,
+
                surfaces_.tints(), o.all_visible, o.arriving, o.radiance);
         return o.radiance.read(0, wave.count);
     }
@@ -182,8 +184,7 @@ private:
         o.records.unlit = radiance(wave, 1, 0, 0);
         if (secondary_) {
             secondary_->spawn(wave.count, scene_, params_, wave, o.unit_paths, surfaces_.points, surfaces_.interfaces, surfaces_.directions,
-                              surfaces_.hit_instances, wave.level.interiors, surfaces_.beyond(), 0u, o.rays, o.paths, o.sources, o.interiors,
-                              o.alive);
+                              surfaces_.places(), wave.level.interiors, surfaces_.beyond(), 0u, o.rays, o.paths, o.sources, o.interiors, o.alive);
             o.record_children(wave.children ? &secondary_->alive : nullptr);
         }
         observer.see(o.records);

@@ -46,6 +46,7 @@ Sources one_kind(const PrimitiveKind &kind) {
     const std::string path = fmt::format("#include \"kernels/primitives/{}", kind.name);
     return {
         {"generated/constants.h", "#pragma once\n#define INTERIOR_SIZE 0u\n#define INSTANCES 0\n"},
+        {"generated/time.cl", "#include \"kernels/core/no_time.cl\"\n"},
         {"generated/work.cl", "#include \"kernels/accelerators/no_work.cl\"\n"},
         {"generated/precision.cl", "// float\n"},
         {"generated/kind.cl", fmt::format("#pragma once\n{}.h\"\n#define NAME(function) {}_##function\n#define IS_FLAT {}\ntypedef {}Block Block;\n",

@@ -22,7 +22,8 @@ void check_memory(const Device &device, const FilmSettings &film) {
 
 /// 2^38 is more than any coordinate of a hit and any distance from a ray's beginning to one: the diagonal of a cube is less than twice its edge.
 float scale_of_lengths(float extent, const CameraDescription &camera, PictureSize size) {
-    const vec3 from = glm::abs(camera.from);
+    vec3 from = glm::abs(camera.from);
+    for (const CameraKey &key : camera.keys) from = glm::max(from, glm::abs(key.from));
     const float spread = static_cast<float>(camera_kinds()[camera.kind].spread(camera, size));
     const float reach = 2 * (extent + std::max({from.x, from.y, from.z}) + spread);
     return reach > 0 ? std::exp2(38 - std::ceil(std::log2(reach))) : 1;

@@ -2,6 +2,7 @@
 #pragma once
 #include "kernels/core/items.h"
 #include "kernels/core/params.h"
+#include "kernels/primitives/motion.h"
 #include "runtime/opencl/buffer.h"
 
 namespace brandung {
@@ -13,8 +14,10 @@ struct Batch {
     BatchParams params;
     const Buffer<uint> &pixels;
     Camera camera;
-    const std::vector<uint> &interior;  ///< the list of media that the eye is in, as kernels/core/interior.cl has it
-    Aovs *aovs = nullptr;               ///< takes note of what camera rays hit, if anyone wants to know
+    ShutterParams shutter;
+    const Buffer<MotionPart> &camera_motion;  ///< so many parts as the shutter says
+    const std::vector<uint> &interior;        ///< the list of media that the eye is in, as kernels/core/interior.cl has it
+    Aovs *aovs = nullptr;                     ///< takes note of what camera rays hit, if anyone wants to know
     uint count() const { return params.pixels * params.samples; }
 };
 

@@ -18,8 +18,7 @@ Levels::Levels(Device &device, uint batch, Branching branching, uint generations
       generations_(generations),
       full_launch_(std::min(batch, worthwhile_launch)),
       sides_(sides),
-      level_bytes_(capacity_ *
-                   (sizeof(Ray) + sizeof(Path) + sizeof(uint) * (1 + sides.interior_size + (sides.instances ? 1 : 0) + (sides.pdfs ? 1 : 0)))),
+      level_bytes_(capacity_ * (sizeof(Ray) + sizeof(Path) + sizeof(uint) * (1 + sides.interior_size + sides.place_words + (sides.pdfs ? 1 : 0)))),
       on_step_(std::move(on_step)) {}
 
 Level &Levels::level(uint generation) {

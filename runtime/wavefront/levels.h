@@ -12,20 +12,21 @@ namespace brandung {
 /// What only some scenes and integrators keep of every ray.
 struct SideArrays {
     uint interior_size = 0;  ///< entries of its list of media
-    bool instances = false, pdfs = false;
+    uint place_words = 0;    ///< of what is known of where the primitive is that it leaves
+    bool pdfs = false;
 };
 
 /// Slots of one generation, filled front to back, and the list of those that are live and not yet handed out.
 struct Level {
     Level(Device &device, uint capacity, SideArrays sides)
         : rays(device, capacity),
-          sources(device, sides.instances ? capacity : 0),
+          sources(device, std::size_t{capacity} * sides.place_words),
           paths(device, capacity),
           pdfs(device, sides.pdfs ? capacity : 0),
           interiors(device, std::size_t{capacity} * sides.interior_size),
           live(device, capacity) {}
     Buffer<Ray> rays;
-    Buffer<uint> sources;  ///< instances of the primitives that the rays leave, in scenes with instances
+    Buffer<uint> sources;  ///< instances of the primitives that the rays leave, in scenes with instances, and the rays' times where some move
     Buffer<Path> paths;
     Buffer<float> pdfs;      ///< densities by which their directions were chosen [1/sr], for integrators that weigh them
     Buffer<uint> interiors;  ///< interior_size entries per slot

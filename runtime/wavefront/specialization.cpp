@@ -64,6 +64,14 @@ std::string family(const std::vector<uint> &in_use, const Kinds &kinds, const st
     return text + "#define " + list_name + "(X)" + list + "\n";
 }
 
+void add_instances(const CompiledScene &scene, bool moves, Sources &sources) {
+    const char *still = scene.instances ? "primitives/instance.cl" : "primitives/no_instance.cl";
+    sources["generated/instances.cl"] = include(moves ? "primitives/moving_instance.cl" : still);
+    sources["generated/instance_rows.cl"] = include(moves ? "accelerators/moving_instance_rows.cl" : "accelerators/instance_rows.cl");
+    sources["generated/time.cl"] = include(moves ? "core/time.cl" : "core/no_time.cl");
+    sources["generated/shutter.cl"] = include(moves ? "cameras/shutter.cl" : "cameras/no_shutter.cl");
+}
+
 /// The kinds in use that Whitted's integrator can show.
 std::vector<uint> whitted_bsdfs(const CompiledScene &scene) {
     std::vector<uint> kinds = scene.bsdfs;
@@ -78,14 +86,15 @@ uint branching(const CompiledScene &scene) {
     return scene.transmits && !scene.follows_one ? 2 : scene.reflects || scene.transmits ? 1 : 0;
 }
 
-Sources specialize(const CompiledScene &scene, RayLanes lanes) {
+Sources specialize(const CompiledScene &scene, RayLanes lanes, Times times) {
+    const bool moves = scene.moves && times == Times::of_rays;
     Sources sources;
     add_primitives(scene, sources);
     sources["generated/bsdfs.cl"] = family(scene.bsdfs, bsdf_kinds(), "bsdfs", "FOR_EACH_BSDF");
     sources["generated/whitted_bsdfs.cl"] = family(whitted_bsdfs(scene), bsdf_kinds(), "bsdfs", "FOR_EACH_WHITTED_BSDF");
     sources["generated/lights.cl"] = family(scene.lights, light_kinds(), "lights", "FOR_EACH_LIGHT");
     add_accelerator(scene, lanes, sources);
-    sources["generated/instances.cl"] = include(scene.instances ? "primitives/instance.cl" : "primitives/no_instance.cl");
+    add_instances(scene, moves, sources);
     sources["generated/emissive_instances.cl"] =
         include(scene.emissive_instances ? "lights/emissive_instances.cl" : "lights/no_emissive_instances.cl");
     sources["generated/environment.cl"] = include(scene.environment ? "lights/environment_density.cl" : "lights/no_environment.cl");
@@ -98,9 +107,10 @@ Sources specialize(const CompiledScene &scene, RayLanes lanes) {
     sources["generated/constants.h"] = fmt::format(
         "#pragma once\n#define BRANCHING {}u\n#define TRANSMITS {}\n#define FOLLOWS_ONE {}\n#define INTERIOR_SIZE {}u\n#define HIGHLIGHTS "
         "{}\n#define SHADING_NORMALS {}\n"
-        "#define INSTANCES {}\n#define LIGHTS {}\n#define BUNDLES {}\n#define INSTANCE_KIND {}u\n#define FLAT_KINDS {:#x}u\n",
+        "#define INSTANCES {}\n#define INSTANCES_MOVE {}\n#define LIGHTS {}\n#define BUNDLES {}\n#define INSTANCE_KIND {}u\n#define FLAT_KINDS "
+        "{:#x}u\n",
         branching(scene), scene.transmits ? 1 : 0, scene.follows_one ? 1 : 0, scene.interior_size, scene.highlights ? 1 : 0,
-        scene.shading_normals ? 1 : 0, scene.instances ? 1 : 0, scene.header.light_choices.count > 0 ? 1 : 0, scene.bundles ? 1 : 0,
+        scene.shading_normals ? 1 : 0, scene.instances ? 1 : 0, moves ? 1 : 0, scene.header.light_choices.count > 0 ? 1 : 0, scene.bundles ? 1 : 0,
         scene.primitives.size(), flat_kinds(scene));
     return sources;
 }

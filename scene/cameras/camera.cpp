@@ -16,6 +16,18 @@ void read_fov(const Parameters &parameters, const FovRange &range, CameraDescrip
     camera.fov = glm::radians(degrees);
 }
 
+/// Of a camera that moves, in its own space.
+const CameraFrame own_frame = {{0, 0, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
+
+/// From the space of the camera to the world.
+AffineMap map_of(const CameraFrame &frame) { return {{frame.right, frame.up, -frame.forward}, frame.from}; }
+
+Motion motion_of(const CameraDescription &description) {
+    std::vector<MotionKey> keys;
+    for (const CameraKey &key : description.keys) keys.push_back({key.time, map_of(frame_of({.from = key.from, .at = key.at, .up = key.up}))});
+    return Motion(keys);
+}
+
 }  // namespace
 
 std::optional<std::string> fov_fault(const FovRange &range, float degrees) {
@@ -29,8 +41,38 @@ CameraFrame frame_of(const CameraDescription &description) {
     return {from, forward, right, glm::cross(right, forward)};
 }
 
+std::vector<MotionPart> camera_motion(const CameraDescription &description, const Shutter &shutter) {
+    if (description.keys.empty()) return {};
+    return motion_parts(motion_of(description), shutter, {vec3(-1), vec3(1)}).value();
+}
+
+bool is_at_rest(const CameraDescription &description) { return description.keys.empty() || motion_of(description).is_at_rest(description.shutter); }
+
+void keep_focus_distance(CameraDescription &description) {
+    LensDescription &lens = description.lens;
+    if (!lens.focus_at) return;
+    const CameraFrame frame = frame_of(description);
+    lens.focus_distance = static_cast<float>(glm::dot(glm::dvec3(*lens.focus_at) - frame.from, frame.forward));
+    lens.focus_at.reset();
+}
+
+CameraDescription at_rest(const CameraDescription &description, double time) {
+    CameraDescription result = description;
+    result.keys.clear();
+    if (description.keys.empty()) return result;
+    for (const CameraKey &key : description.keys)
+        if (key.time == time) {
+            result.from = key.from, result.at = key.at, result.up = key.up;
+            return result;
+        }
+    const AffineMap map = motion_of(description).at(time);
+    result.from = vec3(map.offset), result.at = vec3(map.offset - map.linear[2]), result.up = vec3(map.linear[1]);
+    return result;
+}
+
 Camera make_camera(const CameraDescription &description, uint width, uint height) {
-    Camera camera = camera_kinds()[description.kind].make(description, frame_of(description), {width, height});
+    const CameraFrame frame = description.keys.empty() ? frame_of(description) : own_frame;
+    Camera camera = camera_kinds()[description.kind].make(description, frame, {width, height});
     camera.width = width, camera.height = height;
     return camera;
 }

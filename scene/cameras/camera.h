@@ -49,8 +49,17 @@ const std::vector<CameraKind> &camera_kinds();
 CameraFrame frame_of(const CameraDescription &description);
 /// What is wrong with an angle, if it is.
 std::optional<std::string> fov_fault(const FovRange &range, float degrees);
-/// For pictures of width x height.
+/// For pictures of width x height; of a camera that moves, in its own space, from which its motion leads.
 Camera make_camera(const CameraDescription &description, uint width, uint height);
+
+/// The motion of one that moves; no parts of one at rest. `shutter` is the scene's.
+std::vector<MotionPart> camera_motion(const CameraDescription &description, const Shutter &shutter);
+/// Whether it stands still while its shutter is open.
+bool is_at_rest(const CameraDescription &description);
+/// The same camera as it is at a time, at rest.
+CameraDescription at_rest(const CameraDescription &description, double time);
+/// The sharp plane of one that moves stays as far away as it is from where the camera stands first.
+void keep_focus_distance(CameraDescription &description);
 
 /// What all kinds have is read by the scene's format; this is the rest, by the kind that "type" names. Throws SceneError.
 void read_kind(const Parameters &parameters, CameraDescription &camera);

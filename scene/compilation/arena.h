@@ -11,7 +11,7 @@
 namespace brandung {
 
 /// Kernels read record 0 of an array where they have none to read.
-inline constexpr std::size_t largest_record = 256;
+inline constexpr std::size_t largest_record = 448;
 
 /// Grows in records, each array at a multiple of 64 bytes.
 class Arena {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "kernels/primitives/instance.h"
+#include "kernels/primitives/motion.h"
 #include "scene/accelerators/accelerator.h"
 #include "scene/compilation/parts.h"
 #include "scene/compilation/sizes.h"
@@ -152,13 +153,18 @@ Group add_space(const Scene &scene, const Space &space, bool is_world, const Wat
 void add_instances(const Scene &scene, const std::vector<Group> &groups, CompiledScene &compiled, Arena &arena) {
     const std::vector<std::size_t> used = groups_in_use(scene);
     const Transform identity = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
-    std::vector<Instance> instances = {Instance{identity, identity, 0, NO_MATERIAL, {}}};
+    std::vector<Instance> instances = {Instance{identity, identity, 0, NO_MATERIAL, 0, 0, {}}};
+    std::vector<MotionPart> motion_parts;
     for (const PlacedGroup &placed : scene.instances) {
         const uint group = static_cast<uint>(place_in(used, placed.group));
-        instances.push_back({placed.transforms.to_world, placed.transforms.to_group, group, placed.material, {}});
+        const auto first_part = static_cast<uint>(motion_parts.size()), parts = static_cast<uint>(placed.motion.size());
+        instances.push_back({placed.transforms.to_world, placed.transforms.to_group, group, placed.material, first_part, parts, {}});
+        motion_parts.insert(motion_parts.end(), placed.motion.begin(), placed.motion.end());
     }
     compiled.header.groups = arena.add(groups);
     compiled.header.instances = arena.add(instances);
+    compiled.header.motion_parts = arena.add(motion_parts);
+    compiled.moves = !motion_parts.empty();
     compiled.group_count = groups.size();
     compiled.instance_count = scene.instances.size();
 }

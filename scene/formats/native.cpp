@@ -69,11 +69,37 @@ void read_lights(const Parameters &root, Scene &scene) {
     }
 }
 
+/// Times of keys, two at least, grow from one to the next.
+void expect_growing(const std::vector<Parameters> &keys, const Parameters &parent, const std::string &name) {
+    if (keys.size() < 2) parent.fail(name, "needs at least two keys, or none");
+    for (std::size_t k = 1; k < keys.size(); ++k)
+        if (!(keys[k].number("time") > keys[k - 1].number("time"))) keys[k].fail("time", "must be later than that of the key before");
+}
+
+/// Whether the transform is a list of keys, not of steps.
+bool has_keys(const Parameters &parameters) {
+    const std::vector<Parameters> list = parameters.one_or_more("transform");
+    return std::any_of(list.begin(), list.end(), [](const Parameters &element) { return element.has("time"); });
+}
+
+std::vector<MotionKey> read_keys(const Parameters &parameters) {
+    const std::vector<Parameters> list = parameters.one_or_more("transform");
+    expect_growing(list, parameters, "transform");
+    std::vector<MotionKey> keys;
+    for (const Parameters &key : list) {
+        keys.push_back({double(key.number("time")), read_transform(key)});
+        key.expect_all_known();
+    }
+    return keys;
+}
+
 void read_instance(const Parameters &parameters, const std::vector<std::string> &materials, Scene &scene) {
     if (scene.groups.empty()) parameters.fail("group", "the scene has no groups");
     const uint group = parameters.choice("group", names_of(scene.groups));
     const uint material = parameters.has("material") ? parameters.choice("material", materials) : NO_MATERIAL;
-    if (const auto fault = add_instance(scene, group, read_transform(parameters), material)) parameters.fail("transform", *fault);
+    const auto fault = has_keys(parameters) ? add_instance(scene, group, Motion(read_keys(parameters)), material)
+                                            : add_instance(scene, group, read_transform(parameters), material);
+    if (fault) parameters.fail("transform", *fault);
 }
 
 /// What an object has added to the scene, beyond so many shapes and instances, gets the object's number.
@@ -134,17 +160,61 @@ std::vector<std::string> read_inside(const Parameters &parameters, const Scene &
     return names;
 }
 
+/// What a key leaves out is as the camera says.
+void read_view(const Parameters &parameters, const Parameters &of_camera, CameraDescription &camera) {
+    const auto part = [&](const char *name, std::optional<vec3> otherwise) {
+        return parameters.vector(name, of_camera.has(name) ? of_camera.vector(name) : otherwise);
+    };
+    camera.from = part("from", {}), camera.at = part("at", {}), camera.up = part("up", vec3(0, 1, 0));
+    if (const auto fault = view_fault(camera)) parameters.fail(fault->key, fault->why);
+}
+
+/// The camera stands where it is at the first of its keys.
+void read_camera_keys(const Parameters &parameters, CameraDescription &camera) {
+    const std::vector<Parameters> keys = parameters.children("keys");
+    expect_growing(keys, parameters, "keys");
+    for (const Parameters &key : keys) {
+        CameraDescription there = camera;
+        read_view(key, parameters, there);
+        const double time = double(key.number("time"));
+        key.expect_all_known();
+        camera.keys.push_back({time, there.from, there.at, there.up});
+    }
+    camera.from = camera.keys[0].from, camera.at = camera.keys[0].at, camera.up = camera.keys[0].up;
+    keep_focus_distance(camera);
+}
+
+Shutter read_shutter(const Parameters &parameters) {
+    if (!parameters.has("shutter")) return {};
+    const std::vector<float> times = parameters.numbers("shutter", 2);
+    if (times[1] < times[0]) parameters.fail("shutter", "must not close before it opens");
+    return {double(times[0]), double(times[1])};
+}
+
 CameraDescription read_camera(const Parameters &parameters, const std::string &name, const Scene &scene) {
     CameraDescription camera;
     camera.name = name;
-    camera.from = parameters.vector("from");
-    camera.at = parameters.vector("at");
-    camera.up = parameters.vector("up", camera.up);
+    camera.shutter = read_shutter(parameters);
     read_kind(parameters, camera);
     camera.inside = read_inside(parameters, scene);
+    if (parameters.has("keys"))
+        read_camera_keys(parameters, camera);
+    else
+        read_view(parameters, parameters, camera);
     parameters.expect_all_known();
-    if (const auto fault = view_fault(camera)) parameters.fail(fault->key, fault->why);
-    return camera;
+    return is_at_rest(camera) ? at_rest(camera, camera.shutter.open) : camera;
+}
+
+/// Of all cameras, which are read when the scene's things have been.
+Shutter read_shutters(const Parameters &root) {
+    std::vector<Parameters> cameras = root.children("cameras");
+    if (root.has("camera")) cameras.push_back(root.child("camera"));
+    std::optional<Shutter> all;
+    for (const Parameters &camera : cameras) {
+        const Shutter shutter = read_shutter(camera);
+        all = {all ? std::min(all->open, shutter.open) : shutter.open, all ? std::max(all->close, shutter.close) : shutter.close};
+    }
+    return all.value_or(Shutter{});
 }
 
 void read_cameras(const Parameters &root, Scene &scene) {
@@ -187,6 +257,7 @@ Scene read_native(const std::string &file, const ReadOptions &options) {
     read_materials(root, scene);
     read_lights(root, scene);
     const std::vector<std::string> materials = names_of(scene.materials);
+    scene.shutter = read_shutters(root);
     read_groups(root, materials, scene);
     read_objects(root, true, materials, scene);
     read_members(root, scene);

@@ -16,6 +16,8 @@ void add_frustum(Scene &scene, uint material, vec3 base, float base_radius, vec3
 uint add_group(Scene &scene, std::string name, std::vector<std::unique_ptr<Shape>> shapes);
 /// Places a group; of `material`, unless that is NO_MATERIAL. Gives why that cannot be, if so.
 std::optional<std::string> add_instance(Scene &scene, uint group, const AffineMap &map, uint material = NO_MATERIAL);
+/// The same of one that moves while the scene's shutter is open.
+std::optional<std::string> add_instance(Scene &scene, uint group, const Motion &motion, uint material = NO_MATERIAL);
 /// Indices are below the number of positions; `before` goes before the mesh's numbers, if the scene keeps places.
 void add_triangle_mesh(Scene &scene, uint material, MeshData mesh, const std::string &before = {});
 /// Indices (three per triangle) of a polygon's triangles; empty without area. What is wrong with it is counted.

@@ -43,6 +43,7 @@
 #include "kernels/lights/spot.h"
 #include "kernels/primitives/frustum.h"
 #include "kernels/primitives/instance.h"
+#include "kernels/primitives/motion.h"
 #include "kernels/primitives/smooth_triangle.h"
 #include "kernels/primitives/sphere.h"
 #include "kernels/primitives/surface.h"
@@ -105,6 +106,7 @@ const Layouts &host_layouts() {
         RECORD(FilmPixel, sums, squares, counts),
         RECORD(AovPixel, sums, count, spare),
         RECORD(Camera, position, width, height, words),
+        RECORD(ShutterParams, open, close, parts),
         RECORD(BatchParams, pixels, first_sample, samples, spp, seed, position),
         RECORD(FilterParams, radius, negative_tail, weight),
         RECORD(FilmBand, first_row, rows, first_column, width),
@@ -116,11 +118,12 @@ const Layouts &host_layouts() {
         RECORD(Material, kind, flags, priority, eta, emission, diffuse_texture, specular_texture, words),
         RECORD(Light, kind, words),
         RECORD(Group, blocks, nodes, extent),
-        RECORD(SceneHeader, world, groups, instances, shading, vertex_normals, vertex_uvs, vertex_colors, emissive_faces, materials, lights,
-               light_choices, emission_chance, textures, environment_rows, environment_cells, environment_columns, environment_density, background,
-               ambient, background_texture, background_turn),
+        RECORD(SceneHeader, world, groups, instances, motion_parts, shading, vertex_normals, vertex_uvs, vertex_colors, emissive_faces, materials,
+               lights, light_choices, emission_chance, textures, environment_rows, environment_cells, environment_columns, environment_density,
+               background, ambient, background_texture, background_turn),
         RECORD(Transform, x, y, z, origin),
-        RECORD(Instance, to_world, to_group, group, material, spare),
+        RECORD(Instance, to_world, to_group, group, material, first_part, parts, spare),
+        RECORD(MotionPart, begin, rate, to_world, to_group, mismatch, spare),
         RECORD(InstanceBlock, primitive, low, high),
         RECORD(CellSpans, cells, items, lanes),
         RECORD(UniformGrid, spans, low, size, columns),

@@ -133,6 +133,25 @@ TEST(Absence, ShadowsAreNotFilteredUnlessAskedFor) {
     expect_present(everything(), "kernels/integrators/whitted.cl", "core/shadow_filter.cl");
 }
 
+/// A ball that moves while the shutter is open, or would if that were longer.
+Scene moving_ball(const Shutter &shutter) {
+    Scene scene = spheres_only(matte(0.5f));
+    scene.shutter = shutter;
+    const uint group = add_group(scene, "ball", std::exchange(scene.shapes, {}));
+    EXPECT_FALSE(add_instance(scene, group, Motion({{0, AffineMap()}, {1, translation({1, 0, 0})}})));
+    return scene;
+}
+
+TEST(Absence, WhereNothingMovesRaysHaveNoTime) {
+    const std::vector<std::string> marks = {"core/time.cl", "cameras/shutter.cl", "primitives/motion", "motionpart", "polynomial("};
+    expect_absent(everything(), marks);
+    expect_absent(moving_ball({1, 1}), marks);
+    expect_present(moving_ball({0, 1}), "kernels/stages/intersect.cl", "core/time.cl");
+    expect_present(moving_ball({0, 1}), "kernels/stages/evaluate_surfaces.cl", "primitives/motion.cl");
+    EXPECT_EQ(compile(moving_ball({0, 1})).place_words(), 2u);
+    EXPECT_EQ(compile(moving_ball({1, 1})).place_words(), 1u);
+}
+
 TEST(Absence, WithoutInstancesThereIsOneLevel) {
     expect_absent(everything(), {"primitives/instance.cl", "two_levels", "group_closest_hit", "instanceblock", "packet_in_group"});
     Scene scene = everything();

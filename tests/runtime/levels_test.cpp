@@ -32,7 +32,7 @@ public:
     explicit Play(const Case &c)
         : case_(c),
           capacity_(std::max({c.batch, c.branching.first, c.branching.others})),
-          levels_(test_device(), c.batch, c.branching, c.generations, {.interior_size = 2, .instances = true}),
+          levels_(test_device(), c.batch, c.branching, c.generations, {.interior_size = 2, .place_words = 1}),
           random_(1) {
         lists_.resize(c.generations), slots_.resize(c.generations, std::vector<std::uint64_t>(capacity_, 0));
     }

@@ -69,7 +69,9 @@ class Boxes final : public Subject {
 public:
     explicit Boxes(Device &device)
         : device_(device),
-          kernel_(device, "kernels/selftest/boxes.cl", "test_boxes", {{"generated/work.cl", "#include \"kernels/accelerators/no_work.cl\"\n"}}) {}
+          kernel_(device, "kernels/selftest/boxes.cl", "test_boxes",
+                  {{"generated/time.cl", "#include \"kernels/core/no_time.cl\"\n"},
+                   {"generated/work.cl", "#include \"kernels/accelerators/no_work.cl\"\n"}}) {}
 
     Findings examine(uint round) override {
         std::vector<Box> boxes(inputs_per_round);

@@ -187,7 +187,8 @@ std::vector<Ray> rays_for(const CellsUnderTest &under_test) {
 }
 
 std::vector<Visits> walk(const Structure &structure, const CellsUnderTest &under_test, const std::vector<Ray> &rays) {
-    Probe probe(std::string("#include \"kernels/accelerators/") + structure.file + R"(_walk.cl"
+    Probe probe(
+        std::string("#include \"kernels/accelerators/") + structure.file + R"(_walk.cl"
         typedef struct { uint count; uint cells[1024]; } Visits;
         kernel void probe(const global Ray *rays, const global uint *words, const global float *extent, global Visits *visits) {
             const uint i = get_global_id(0);
@@ -201,7 +202,7 @@ std::vector<Visits> walk(const Structure &structure, const CellsUnderTest &under
             }
             visits[i].count = count;
         })",
-                {{"generated/work.cl", "#include \"kernels/accelerators/no_work.cl\"\n"}});
+        {{"generated/time.cl", "#include \"kernels/core/no_time.cl\"\n"}, {"generated/work.cl", "#include \"kernels/accelerators/no_work.cl\"\n"}});
     return probe.run<Visits>(rays, under_test.words, extent_of(under_test.whole));
 }
 

@@ -24,7 +24,8 @@ struct Trial {
 };
 
 Probe &volume_probe() {
-    static Probe probe(R"(#include "kernels/accelerators/volumes.cl"
+    static Probe probe(
+        R"(#include "kernels/accelerators/volumes.cl"
         typedef struct { Ray ray; vec3 low, high; float extent; uint kind; Volume volume; } Trial;
         kernel void probe(const global Trial *trials, global uint *met) {
             const global Trial *trial = trials + get_global_id(0);
@@ -32,7 +33,7 @@ Probe &volume_probe() {
             const Stretch stretch = stretch_in_box(trial->low, trial->high, &ray);
             met[get_global_id(0)] = stretch.near <= stretch.far && meets_volume(trial->kind, &trial->volume, line_of(&ray), stretch);
         })",
-                       {{"generated/work.cl", "#include \"kernels/accelerators/no_work.cl\"\n"}});
+        {{"generated/time.cl", "#include \"kernels/core/no_time.cl\"\n"}, {"generated/work.cl", "#include \"kernels/accelerators/no_work.cl\"\n"}});
     return probe;
 }
 

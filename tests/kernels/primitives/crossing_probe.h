@@ -87,6 +87,7 @@ private:
         const std::string name = kind.name, path = "#include \"kernels/primitives/" + name;
         return {
             {"generated/constants.h", "#define INTERIOR_SIZE 0u\n#define INSTANCES 0\n"},
+            {"generated/time.cl", "#include \"kernels/core/no_time.cl\"\n"},
             {"generated/work.cl", "#include \"kernels/accelerators/no_work.cl\"\n"},
             {"generated/single_ray.cl", "#include \"kernels/accelerators/single_ray_x8.cl\"\n"},
             {"generated/instances.cl", "#include \"kernels/primitives/no_instance.cl\"\n"},

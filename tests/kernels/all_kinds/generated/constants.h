@@ -7,6 +7,7 @@
 #define HIGHLIGHTS 1
 #define SHADING_NORMALS 1
 #define INSTANCES 1
+#define INSTANCES_MOVE 1
 #define LIGHTS 1
 #define BUNDLES 1
 #define INSTANCE_KIND 4u

@@ -1,3 +1,3 @@
 // With everything, for lint and editors.
 #pragma once
-#include "kernels/primitives/instance.cl"
+#include "kernels/primitives/moving_instance.cl"

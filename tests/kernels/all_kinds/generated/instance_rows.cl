@@ -1,0 +1,2 @@
+// With everything, for lint and editors.
+#include "kernels/accelerators/moving_instance_rows.cl"

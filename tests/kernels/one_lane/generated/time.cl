@@ -1,0 +1,3 @@
+// At rest, for lint.
+#pragma once
+#include "kernels/core/no_time.cl"
