@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "runtime/integrators/camera_rays.h"
+#include "runtime/integrators/observation.h"
 #include "runtime/integrators/shadows.h"
 #include "runtime/integrators/surfaces.h"
-#include "scene/error.h"
 
 namespace brandung {
 namespace {
@@ -26,7 +26,9 @@ struct AskedLights {
 class PathIntegrator : public Integrator {
 public:
     explicit PathIntegrator(const IntegratorJob &job)
-        : scene_(job.on_device),
+        : device_(job.device),
+          scene_(job.on_device),
+          batch_(job.batch),
           params_{job.scene.integrator.max_depth, job.scene.integrator.roulette_depth, job.scene.integrator.bundles_in_use()},
           asks_(job.compiled.header.light_choices.count > 0),
           rows_(std::max(job.compiled.bundle, asks_ ? params_.bundles.light : 1)),
@@ -49,11 +51,13 @@ public:
     }
 
     void render(const Batch &batch, Buffer<Sample> &samples, WaveObserver *observer) override {
-        if (observer) throw Error("the rays of paths cannot be shown yet; --integrator whitted shows those of mirrors and glass");
+        observation_.reset();
+        if (observer) observation_.emplace(device_, batch_, 1, surfaces_.interior_size());
         Level &first = levels_.start(batch.count());
         surfaces_.start(first, batch);
         generate_(batch, first, samples);
         while (const auto wave = levels_.next()) {
+            if (observer) observation_->begin(*wave, surfaces_.stay_together(*wave));
             surfaces_.find(*wave, batch);
             if (wave->children)
                 spawn(*wave, batch);
@@ -61,8 +65,10 @@ public:
                 cut_ += wave->count;
             shade(*wave);
             accumulate_(wave->count, *wave, wave->level.paths, contributions_, updated(samples), shared(refused_));
+            if (observer) show(*wave, *observer);
             if (wave->children) levels_.add_children(*wave, compact_.counts().read().at(0));
         }
+        if (observer) observer->end(samples.read(0, batch.count()));
     }
 
     RayCounts counts() const override { return surfaces_.counter.read(); }
@@ -87,6 +93,8 @@ public:
         return {{"light of points and directions over mirrors, through smooth glass and masks", "paths cannot meet lights without size by chance"}};
     }
 
+    std::string unexplained() const override { return "single paths cannot be explained yet; --integrator whitted explains its rays"; }
+
 private:
     /// The rays that go on, and those that ask for light.
     void spawn(const Wave &wave, const Batch &batch) {
@@ -104,7 +112,24 @@ private:
         compact_(alive_, slots, slots, 1, wave.base, below.end, below.live);
         if (!lit) return;
         asked_->shadows.list(wave.count, asking_rows(wave));
+        if (observation_) record_shadow_rays(wave);
         asked_->shadows.trace(scene_, wave.generation, wave.count, asking_rows(wave), surfaces_.places(), surfaces_.counter);
+    }
+
+    /// Before they are traced.
+    void record_shadow_rays(const Wave &wave) {
+        const Shadows &shadows = asked_->shadows;
+        LightBlockRecords &block = observation_->records.lights.emplace_back();
+        for (uint row = 0; row < asking_rows(wave); ++row) {
+            const std::size_t first = std::size_t{row} * shadows.stride;
+            block.lights.push_back({row, shadows.rays.read(first, wave.count), shadows.visible.read(first, wave.count), {}, {}, {}});
+        }
+    }
+
+    void show(const Wave &wave, WaveObserver &observer) {
+        observation_->record_hits(wave, surfaces_.hits, surfaces_.hit_instances, surfaces_.points, surfaces_.interfaces, surfaces_.directions,
+                                  surfaces_.beyond());
+        observer.see(observation_->records);
     }
 
     uint asking_rows(const Wave &wave) const { return wave.generation == 0 ? params_.bundles.light : 1; }
@@ -117,7 +142,9 @@ private:
                several(lit ? asked_->shadows.visible : surfaces_.no_bytes, rows), several(lit ? asked_->light : no_spectra_, rows), contributions_);
     }
 
+    Device &device_;
     const DeviceScene &scene_;
+    uint batch_;
     PathParams params_;
     bool asks_;  ///< whether there are lights of which to ask
     uint rows_;  ///< of the largest bundle
@@ -134,6 +161,7 @@ private:
     Buffer<Ray> no_rays_;  ///< these stand for arrays that the scene does without
     Buffer<Spectrum> no_spectra_;
     std::optional<AskedLights> asked_;
+    std::optional<Observation> observation_;  ///< only where a batch is observed
 };
 
 }  // namespace

@@ -57,6 +57,20 @@ TEST(RaySample, HasTheRaysOfARender) {
     }
 }
 
+TEST(RaySample, HasTheRaysOfPaths) {
+    Scene scene = mirrors();
+    scene.integrator.type = "path";
+    Rendering rendering(scene);
+    Film film(test_device(), scene.film.window());
+    rendering.renderer.render(film);
+    const RayCounts counts = rendering.renderer.integrator().counts();
+    const RaySample sample = sample_rays(rendering.renderer, scene.film.window(), batch);
+    EXPECT_EQ(count_of(sample, camera), 72 * 60);
+    EXPECT_EQ(count_of(sample, secondary), counts.rays[RAY_REFLECTED]);
+    EXPECT_EQ(count_of(sample, RayQueue::Use::shadow), counts.rays[RAY_SHADOW]);
+    for (const RayQueue &queue : sample) EXPECT_EQ(queue.count() == 0, queue.use == secondary && queue.coherent) << "paths scatter at once";
+}
+
 /// Of 4320 pixels in 68 runs, 5 % are 4 runs of 64.
 TEST(RaySample, IsThinnedInRuns) {
     const Scene scene = mirrors();
