@@ -88,16 +88,6 @@ const std::vector<Analytic> lamps = {
 
 class AnalyticLights : public testing::TestWithParam<Analytic> {};
 
-/// Of the normal distribution: half the width of the interval that holds all but this part.
-Real half_width(Real part) {
-    Real low = 0, high = 10;
-    for (int step = 0; step < 60; ++step) {
-        const Real middle = (low + high) / 2;
-        (std::erfc(middle / std::sqrt(2.0L)) > part ? low : high) = middle;
-    }
-    return low;
-}
-
 }  // namespace
 
 /// Two formulas that know nothing of each other.
@@ -108,7 +98,6 @@ TEST(AnalyticLightsThemselves, AgreeOnASquare) {
 /// Intervals of all places under all lamps together hold the truth with 95 % (Šidák 1967), and reach no further than a thousandth of it.
 TEST_P(AnalyticLights, AreRightToAThousandth) {
     const std::vector<vec3> all = places();
-    const Real width = half_width(1 - std::pow(0.95L, 1 / Real(all.size() * lamps.size())));
     for (const vec3 place : all) {
         Scene scene = scene_seen_at(place + vec3(4, 0.4f, 0.5f), place);
         scene.integrator.type = "path";
@@ -116,11 +105,8 @@ TEST_P(AnalyticLights, AreRightToAThousandth) {
         scene.film.width = 64, scene.film.height = 64, scene.film.spp = 2048;
         GetParam().add(scene);
         add_floor(scene);
-        const Estimate lit = estimate(scene);
-        const Real expected = GetParam().factor(place), reach = width * lit.error();
-        EXPECT_LE(reach, 1e-3L * expected);
-        // Floats and the film make about 1e-5 of the picture.
-        EXPECT_LE(std::abs(lit.mean - expected), reach + 1e-5L * expected) << lit.mean / expected << " at " << place.x << ", " << place.z;
+        SCOPED_TRACE(testing::Message() << place.x << ", " << place.z);
+        expect_right_to_a_thousandth(estimate(scene), GetParam().factor(place), all.size() * lamps.size());
     }
 }
 

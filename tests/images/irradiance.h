@@ -68,6 +68,24 @@ inline void expect_mean(const Estimate &estimate, Real expected) {
     EXPECT_LT(estimate.error(), 0.01L * expected) << "the test can tell";
 }
 
+/// Of the normal distribution: half the width of the interval that holds all but this part.
+inline Real half_width(Real part) {
+    Real low = 0, high = 10;
+    for (int step = 0; step < 60; ++step) {
+        const Real middle = (low + high) / 2;
+        (std::erfc(middle / std::sqrt(2.0L)) > part ? low : high) = middle;
+    }
+    return low;
+}
+
+/// One of so many intervals that together hold the truth with 95 % (Šidák 1967), and that reach no further than a thousandth of it. Floats and the
+/// film make about 1e-5 of the picture.
+inline void expect_right_to_a_thousandth(const Estimate &estimate, Real expected, std::size_t intervals) {
+    const Real reach = half_width(1 - std::pow(0.95L, 1 / Real(intervals))) * estimate.error();
+    EXPECT_LE(reach, 1e-3L * expected);
+    EXPECT_LE(std::abs(estimate.mean - expected), reach + 1e-5L * expected) << estimate.mean / expected;
+}
+
 /// Form factor from a surface element to a parallel rectangle, one of whose corners is straight above it: sides over height a and b (Howell, C-11).
 inline Real corner_factor(Real a, Real b) {
     const Real p = std::sqrt(1 + a * a), q = std::sqrt(1 + b * b);
