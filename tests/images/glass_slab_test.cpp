@@ -34,15 +34,14 @@ Real diffuse_transmittance() {
     return sum / (3 * steps);
 }
 
-/// Between these heights, of faces so wide that nothing gets round them.
-std::string plate(float low, float high) {
-    const auto face = [](float y, int turn) {
-        return fmt::format(
-            R"({{"type": "polygon", "material": "glass", "vertices": [[-5000, {0}, {1}], [5000, {0}, {1}], [5000, {0}, {2}], [-5000, {0}, {2}]]}})",
-            y, 5000 * turn, -5000 * turn);
-    };
-    return face(high, 1) + ", " + face(low, -1);
+/// A square at this height, so wide that nothing gets round it; `turn`: 1 facing up, -1 down.
+std::string wide(const char *material, float y, int turn) {
+    return fmt::format(
+        R"({{"type": "polygon", "material": "{0}", "vertices": [[-5000, {1}, {2}], [5000, {1}, {2}], [5000, {1}, {3}], [-5000, {1}, {3}]]}})",
+        material, y, 5000 * turn, -5000 * turn);
 }
+
+std::string plate(float low, float high) { return wide("glass", high, 1) + ", " + wide("glass", low, -1); }
 
 Scene scene_of(const std::string &objects, const std::string &camera) {
     Scene scene = read_text(fmt::format(R"({{
@@ -54,12 +53,6 @@ Scene scene_of(const std::string &objects, const std::string &camera) {
     scene.film.sampler = kind_number(sampler_kinds(), "independent");
     scene.film.width = 64, scene.film.height = 64, scene.film.spp = 1024;
     return scene;
-}
-
-std::string wide(const char *material, float y, int turn) {
-    return fmt::format(
-        R"({{"type": "polygon", "material": "{0}", "vertices": [[-5000, {1}, {2}], [5000, {1}, {2}], [5000, {1}, {3}], [-5000, {1}, {3}]]}})",
-        material, y, 5000 * turn, -5000 * turn);
 }
 
 }  // namespace
