@@ -1,10 +1,14 @@
 // How surfaces scatter light, for paths: every kind in use is evaluated and one selected.
 #pragma once
 #include "generated/bsdfs.cl"
+#include "generated/constants.h"
 #include "kernels/bsdfs/bsdf.h"
 #include "kernels/core/items.cl"
 #include "kernels/core/lanes_1.cl"
 #include "kernels/core/scene.h"
+
+/// Whether a material that a ray has met is of this kind; where there is but one, that needs no look.
+FUNCTION bool is_of_kind(const global Material *m, uint kind) { return ONE_BSDF || m->kind == kind; }
 
 FUNCTION BsdfValue where(int c, BsdfValue a, BsdfValue b) {
     BsdfValue r;
@@ -21,7 +25,7 @@ FUNCTION BsdfSample where(int c, BsdfSample a, BsdfSample b) {
 FUNCTION BsdfValue bsdf_eval(const global Material *m, BsdfPoint point, vec3 wi) {
     BsdfValue result = {{0.0f, 0.0f, 0.0f}, 0.0f};
 #define CASE(KIND, View, name) \
-    ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_eval(m, point, wi), result);
+    ONLY_IF(is_of_kind(m, KIND)) result = where(is_of_kind(m, KIND), name##_eval(m, point, wi), result);
     FOR_EACH_BSDF(CASE)
 #undef CASE
     return result;
@@ -31,7 +35,7 @@ FUNCTION BsdfValue bsdf_eval(const global Material *m, BsdfPoint point, vec3 wi)
 FUNCTION Spectrum bsdf_albedo(const global Material *m, Tints tint) {
     Spectrum result = make3(0.0f, 0.0f, 0.0f);
 #define CASE(KIND, View, name) \
-    ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_albedo(m, tint), result);
+    ONLY_IF(is_of_kind(m, KIND)) result = where(is_of_kind(m, KIND), name##_albedo(m, tint), result);
     FOR_EACH_BSDF(CASE)
 #undef CASE
     return result;
@@ -41,7 +45,7 @@ FUNCTION Spectrum bsdf_albedo(const global Material *m, Tints tint) {
 FUNCTION BsdfSample bsdf_sample(const global Material *m, BsdfPoint point, vec2 u, float choice) {
     BsdfSample result = {{0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}, 0.0f};
 #define CASE(KIND, View, name) \
-    ONLY_IF(m->kind == KIND) result = where(m->kind == KIND, name##_sample(m, point, u, choice), result);
+    ONLY_IF(is_of_kind(m, KIND)) result = where(is_of_kind(m, KIND), name##_sample(m, point, u, choice), result);
     FOR_EACH_BSDF(CASE)
 #undef CASE
     return result;

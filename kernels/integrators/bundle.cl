@@ -9,8 +9,6 @@
 #include "kernels/core/scene.h"
 #include "kernels/samplers/part.cl"
 
-FUNCTION uint surface_number(Path path) { return BUNDLES ? path.depth & ((1u << SURFACE_BITS) - 1u) : path.depth; }
-
 FUNCTION Part part_of(Path path) {
     if (!BUNDLES) return whole_sample();
     return part(path.depth >> SURFACE_BITS & (MAX_BUNDLE - 1u), (path.depth >> (SURFACE_BITS + PART_BITS)) + 1u);
@@ -32,14 +30,16 @@ FUNCTION uint bundle_size(uint material_flags, Bundles sizes) {
 typedef struct {
     Part going, asking;  ///< of the rays of either kind that the surface sends
     Part path;           ///< which part of its sample the path is
+    uint surface;        ///< the surface's number on the path, from 1 on
 } BundleRow;
 
-FUNCTION BundleRow bundle_row(Path path, uint row, uint material_flags, Bundles sizes) {
-    const bool spreads = BUNDLES && surface_number(path) == 1u;
+FUNCTION BundleRow bundle_row(Path path, uint surface, uint row, uint material_flags, Bundles sizes) {
+    const bool spreads = BUNDLES && surface == 1u;
     BundleRow result;
     result.going = part(row, spreads ? bundle_size(material_flags, sizes) : 1u);
     result.asking = part(row, spreads ? sizes.light : 1u);
     result.path = part_of(path);
+    result.surface = surface;
     return result;
 }
 

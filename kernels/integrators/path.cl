@@ -82,9 +82,9 @@ FUNCTION NextPath next_path(MetSurface met, Path path, BundleRow row, BsdfSample
     child.enters = !stays && TRANSMITS && (met.material->flags & MATERIAL_TRANSMITS) != 0u;
     // Radiance in a medium of index n has a factor n², which must not count as brightness.
     const float scale = child.enters ? 1.0f / (met.point.eta * met.point.eta) : 1.0f;
-    const float survival = surface_number(path) >= roulette_depth ? minimum(largest(weight) * scale, 1.0f) : 1.0f;
+    const float survival = row.surface >= roulette_depth ? minimum(largest(weight) * scale, 1.0f) : 1.0f;
     child.path = path;
-    child.path.depth = depth_word(surface_number(path) + 1u, part_within(row.path, row.going));
+    child.path.depth = depth_word(row.surface + 1u, part_within(row.path, row.going));
     child.path.throughput = scaled(times(path.throughput, weight), survival > 0.0f ? share_of(row.going) / survival : 0.0f);
     child.path.branch = hash(path.branch * 2u + row.going.number);
     const vec3 origin = where(stays, met.sides.near, met.sides.far);
@@ -128,8 +128,8 @@ typedef struct {
 
 /// From live item i, in row j of its bundle: the ray that goes on, in slot base + j * count + i, in the medium that it is in then, with the density
 /// `child_pdfs` of its direction; and shadow ray j * stride + i, with what the light that it asks adds to the sample where it is visible. No ray
-/// leaves for a black value, nor in rows beyond the bundle.
-kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const global uint *restrict pixels, LIVE_PARAMS,
+/// leaves for a black value, nor in rows beyond the bundle. `surface` is the number of the surfaces on their paths, from 1 on.
+kernel void spawn_path(SCENE_PARAMS, PathParams params, uint surface, BatchParams batch, const global uint *restrict pixels, LIVE_PARAMS,
                        const global Path *restrict paths, const global SurfacePoint *restrict points,
                        const global SurfaceInterface *restrict interfaces, const global vec3 *restrict directions,
                        const global uint *restrict instances, const global Tints *restrict tints, const global uint *restrict interiors,
@@ -154,17 +154,17 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
     list_numbers(list, chunk, numbers);
     Columns chunk_paths, chunk_lights;
     fetch_columns(paths, 6u, numbers, chunk.items, &chunk_paths);
+    const uint uses = (surface - 1u) * USES_PER_SURFACE;
     ChosenColumns chosen;
     {
         FOR_EACH_ITEM(i, count) {
             const uint c = i - chunk.begin;
             const Path path = path_of_columns(&chunk_paths, c);
             const PixelSample which = pixel_sample(path.slot, batch, pixels);
-            const uint uses = (surface_number(path) - 1u) * USES_PER_SURFACE;
             const vec2 choices = sampler_pair(which.pixel, which.sample, part_of(path), uses + USE_CHOICES, batch);
             chosen.lobe[c] = choices.x;
             if (LIGHTS) {
-                const ChosenLight light = light_chosen(scene, place_of_part(bundle_row(path, number, 0u, params.bundles).asking, choices.y));
+                const ChosenLight light = light_chosen(scene, place_of_part(bundle_row(path, surface, number, 0u, params.bundles).asking, choices.y));
                 chosen.light[c] = light.row, chosen.inverse_chance[c] = light.inverse_chance, chosen.radiance[c] = light.radiance;
             }
         }
@@ -176,8 +176,7 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
         const Path path = path_of_columns(&chunk_paths, c);
         const MetSurface met = met_surface(materials, load(points + i), load(interfaces + i), tints_at(tints, i), load(directions + i));
         const PixelSample which = pixel_sample(path.slot, batch, pixels);
-        const uint uses = (surface_number(path) - 1u) * USES_PER_SURFACE;
-        const BundleRow row = bundle_row(path, number, met.material->flags, params.bundles);
+        const BundleRow row = bundle_row(path, surface, number, met.material->flags, params.bundles);
         const Part going = part_within(row.path, row.going);
         const vec2 direction_pair = sampler_pair(which.pixel, which.sample, going, uses + USE_DIRECTION, batch);
         const float roulette = sampler_pair(which.pixel, which.sample, going, uses + USE_ROULETTE, batch).x;
@@ -200,7 +199,7 @@ kernel void spawn_path(SCENE_PARAMS, PathParams params, BatchParams batch, const
             const AskingRay asking = asking_ray(met, path, row, light, sample);
             shadow_rays[first_shadow + i] = asking.ray;
             shadow_light[first_shadow + i] = asking.added;
-            shadow_alive[first_shadow + i] = asking.is_worth && surface_number(path) <= params.max_depth;
+            shadow_alive[first_shadow + i] = asking.is_worth && surface <= params.max_depth;
         }
     }
 }

@@ -3,13 +3,21 @@
 #pragma once
 #include "kernels/core/random.cl"
 
+#ifndef __has_builtin
+#define __has_builtin(name) 0
+#endif
+
 /// Bit 31 becomes bit 0.
 FUNCTION uint bits_reversed(uint x) {
+#if __has_builtin(__builtin_bitreverse32)
+    return __builtin_bitreverse32(x);
+#else
     x = (x & 0x55555555u) << 1 | (x >> 1 & 0x55555555u);
     x = (x & 0x33333333u) << 2 | (x >> 2 & 0x33333333u);
     x = (x & 0x0f0f0f0fu) << 4 | (x >> 4 & 0x0f0f0f0fu);
     x = (x & 0x00ff00ffu) << 8 | (x >> 8 & 0x00ff00ffu);
     return x << 16 | x >> 16;
+#endif
 }
 
 /// Binary digits of the second coordinate of a point, the first after the point lowest; those of the first are its index. Digit i is the sum

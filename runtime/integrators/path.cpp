@@ -52,7 +52,7 @@ public:
 
     void render(const Batch &batch, Buffer<Sample> &samples, WaveObserver *observer) override {
         observation_.reset();
-        if (observer) observation_.emplace(device_, batch_, 1, surfaces_.interior_size());
+        if (observer) observation_.emplace(device_, batch_, 1, surfaces_.interior_size(), surfaces_.place_words);
         Level &first = levels_.start(batch.count());
         surfaces_.start(first, batch);
         generate_(batch, first, samples);
@@ -102,8 +102,8 @@ private:
         const bool lit = asked_.has_value();
         const uint rows = wave.generation == 0 ? rows_ : 1, slots = rows * wave.count;
         if (lit) asked_->shadows.share_among(rows);
-        spawn_(Grid(wave.count, rows), scene_.tables(), params_, batch.params, several(batch.pixels, 1.0 / batch.params.samples), wave,
-               wave.level.paths, surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.places(), surfaces_.tints(),
+        spawn_(Grid(wave.count, rows), scene_.tables(), params_, wave.generation + 1, batch.params, several(batch.pixels, 1.0 / batch.params.samples),
+               wave, wave.level.paths, surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.places(), surfaces_.tints(),
                surfaces_.in_lists(wave.level.interiors), surfaces_.in_lists(surfaces_.beyond()), shared(scene_.texels()), wave.base,
                lit ? asked_->shadows.stride : 0u, in_rows(below.rays, rows), in_rows(below.paths, rows), in_rows(below.pdfs, rows),
                surfaces_.in_places(below.sources), surfaces_.in_lists(below.interiors), in_rows(alive_, rows),

@@ -10,5 +10,6 @@
 #define INSTANCES_MOVE 1
 #define LIGHTS 1
 #define BUNDLES 1
+#define ONE_BSDF 0
 #define INSTANCE_KIND 4u
 #define FLAT_KINDS 0x3u
