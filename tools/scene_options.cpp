@@ -78,7 +78,10 @@ std::vector<std::string> assignments(const SceneOptions &options) {
     if (!options.filter.empty()) add("film.filter", options.filter);
     if (options.max_depth) add("integrator.max_depth", std::to_string(*options.max_depth));
     if (options.light_samples) add("integrator.light_samples", std::to_string(*options.light_samples));
-    for (const std::string &bundle : options.bundles) all.push_back("integrator.bundles." + bundle);
+    for (const std::string &bundle : options.bundles) {
+        if (bundle.find('=') == std::string::npos) throw CLI::ValidationError("--bundles", "expected KIND=SIZE, got '" + bundle + "'");
+        all.push_back("integrator.bundles." + bundle);
+    }
     if (!options.follow.empty()) add("integrator.follow", options.follow);
     if (!options.shadows.empty()) add("integrator.shadows", options.shadows);
     if (!options.integrator.empty()) add("integrator.type", options.integrator);
