@@ -170,8 +170,9 @@ TEST(MovingPictures, AreTheMeanOfStillOnes) {
     }
     std::vector<statistics::Estimate> expected;
     for (const auto &blocks : stills) expected.push_back(statistics::mean_of(blocks));
-    // The times of the stills are random, one in each 64th: their spread, of at most a pixel's, is not in the estimates.
-    for (statistics::Estimate &estimate : expected) estimate.variance += 0.25 / (times * times * 3.0);
+    // What the stills' own times add, one anywhere in each 64th, is not in the estimates: within that the bar's end moves by a quarter of a pixel, so
+    // that a block's mean changes by less than a tenth.
+    for (statistics::Estimate &estimate : expected) estimate.variance += 0.1 * 0.1 / (12.0 * times);
     EXPECT_TRUE(statistics::plausible(statistics::p_of_differences(found, expected)));
 }
 
@@ -276,16 +277,18 @@ TEST(MovingCamera, OfEveryKindStandsStillWhereItsKeysAreOne) {
     }
 }
 
-TEST(MovingBits, AreTheSameForBatchesKernelsAndAccelerators) {
-    for (const char *integrator : {"whitted", "path"}) {
-        Scene scene = moving_scene(integrator);
-        expect_same_bits(scene);
-        for (const AcceleratorKind &accelerator : accelerator_kinds()) {
-            scene.accelerator = "none";
-            const std::uint64_t hash = film_hash(render_scene(scene).film);
-            scene.accelerator = accelerator.name;
-            EXPECT_EQ(film_hash(render_scene(scene).film), hash) << accelerator.name;
-        }
+TEST(MovingBits, AreTheSameForBatchesAndKernels) {
+    Scene scene = moving_scene("whitted");
+    expect_same_bits(scene);
+}
+
+TEST(MovingBits, AreTheSameForAccelerators) {
+    Scene scene = moving_scene("path");
+    scene.accelerator = "none";
+    const std::uint64_t hash = film_hash(render_scene(scene).film);
+    for (const AcceleratorKind &accelerator : accelerator_kinds()) {
+        scene.accelerator = accelerator.name;
+        EXPECT_EQ(film_hash(render_scene(scene).film), hash) << accelerator.name;
     }
 }
 

@@ -159,7 +159,7 @@ TEST(Motion, OneThatIsSingularSomewhereIsRefused) {
 
 namespace {
 
-const std::string text = R"({
+const std::string text = R"({"integrator": {"type": "path"},
 "camera": {"from": [0, 0, 5], "at": [0, 0, 0], "shutter": [0, 1]},
 "materials": [{"name": "grey", "type": "diffuse"}],
 "groups": [{"name": "ball", "objects": [{"type": "sphere", "material": "grey", "center": [0, 0, 0], "radius": 1}]}],

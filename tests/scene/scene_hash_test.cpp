@@ -49,6 +49,19 @@ INSTANTIATE_TEST_SUITE_P(SceneHash, SeenChange,
                                          "camera.inside=[]", "camera.inside=[\"glass\"]", "objects.3.transform.translate=[0,4,0]",
                                          "objects.3.group=b", "objects.3.material=air", "groups.0.objects.0.radius=1.5"));
 
+TEST(SceneHash, SeesMotionsAsLongAsAShutterIsOpen) {
+    const std::string keys = R"(objects.3.transform=[{"time": 0}, {"time": 1, "transform": {"translate": [0, 3, 0]}}])";
+    const std::string faster = R"(objects.3.transform=[{"time": 0}, {"time": 1, "transform": {"translate": [0, 4, 0]}}])";
+    const std::string open = "camera.shutter=[0,1]", eye = R"(camera.keys=[{"time": 0}, {"time": 1, "from": [1, 0, 9]}])";
+    EXPECT_EQ(hash({keys, "camera.shutter=[1,1]"}), hash());
+    EXPECT_EQ(hash({open}), hash()) << "nothing moves";
+    EXPECT_NE(hash({keys, open}), hash({keys}));
+    EXPECT_NE(hash({keys, open}), hash({faster, open}));
+    EXPECT_NE(hash({keys, open}), hash({keys, "camera.shutter=[0,0.5]"}));
+    EXPECT_EQ(hash({eye}), hash());
+    EXPECT_NE(hash({eye, open}), hash());
+}
+
 TEST(SceneHash, SeesWhatOnlySomeCamerasHave) {
     const auto with_camera = [](const std::string &members) {
         return hash({R"(camera={"from": [0, 0, 9], "at": [0, 0, 0], "inside": ["air"], )" + members + "}"});

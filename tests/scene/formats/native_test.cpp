@@ -276,7 +276,8 @@ TEST(Native, ReadsCamerasOfEveryKind) {
 TEST(Native, RefusesWhatAKindOfCameraCannotBe) {
     EXPECT_EQ(error_of_camera(R"("type": "pinhole")"),
               ":2: /camera/type: must be one of perspective, orthographic, thin_lens, panorama, fisheye, got \"pinhole\"");
-    EXPECT_EQ(error_of_camera(R"("lens_radius": 1)"), ":2: /camera/lens_radius: unknown key; known here: inside, name, at, from, up, fov, type");
+    EXPECT_EQ(error_of_camera(R"("lens_radius": 1)"),
+              ":2: /camera/lens_radius: unknown key; known here: inside, keys, name, at, from, shutter, up, fov, type");
     EXPECT_EQ(error_of_camera(R"("type": "orthographic")"), ":1: /camera: \"height\" is missing");
     EXPECT_EQ(error_of_camera(R"("type": "orthographic", "height": 0)"), ":2: /camera/height: must be positive, got 0");
     EXPECT_EQ(error_of_camera(R"("type": "orthographic", "height": 1, "fov": 40)"), ":2: /camera/fov: unknown key; is \"from\" meant?");
