@@ -32,7 +32,9 @@ void add(Film &film, const Part &part) {
     const Buffer<uint> pixels(device, part.pixels);
     const BatchParams params{.pixels = uint(part.pixels.size()), .first_sample = part.first, .samples = part.samples, .spp = 64};
     const std::vector<uint> outside;
-    film.add(Batch{.params = params, .pixels = pixels, .camera = {}, .interior = outside}, Buffer<Sample>(device, part.sums));
+    const Buffer<MotionPart> at_rest(device, 0);
+    film.add(Batch{.params = params, .pixels = pixels, .camera = {}, .shutter = {}, .camera_motion = at_rest, .interior = outside},
+             Buffer<Sample>(device, part.sums));
 }
 
 Integer128 wide(__int128 x) { return {static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(x >> 64)}; }
