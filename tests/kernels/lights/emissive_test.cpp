@@ -26,7 +26,7 @@ std::vector<vec3> ways_to_lamp(Scene &scene, vec3 p) {
         kernel void ways(SCENE_PARAMS, float x, float y, float z, uint rows, global vec3 *ways) {
             const Scene scene = SCENE;
             const uint i = get_global_id(0);
-            const LightSample sample = light_sample(scene, SCENE_ARRAY(scene, Light, lights)[i % rows], make3(x, y, z), hash(i));
+            const LightSample sample = light_sample(scene, SCENE_ARRAY(scene, Light, lights)[i % rows], make3(x, y, z), hash(i), PLACEMENT(0u, 0.0f));
             ways[i] = scaled(sample.ray_direction, sample.distance);
         })";
     Kernel kernel(test_device(), "ways.cl", "ways", sources, 1);
