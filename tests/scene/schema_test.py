@@ -41,6 +41,8 @@ BROKEN = {
         {"type": "fisheye", "from": [0, 0, 5], "at": [0, 0, 0], "mapping": "stereographic"},
     ],
     "/camera/inside": ["water", [1]],
+    "/camera/shutter": [1, [0], [0, "x"], [0, 1, 2]],
+    "/camera/keys": [{}, [{"time": 0}], [{"time": 0}, {"from": [0, 0, 5]}], [{"time": 0}, {"time": 1, "fov": 30}]],
     "/materials/0/name": [MISSING, "", 7],
     "/materials/0/type": [MISSING, "velvet"],
     "/materials/0/diffuse": [-0.1, [1, 1], None, {}, {"texture": 3}, {"texture": "a.png", "wrap": "mirror"}, {"texture": "a.png", "encoding": "gamma"}, {"image": "a.png"}],
@@ -85,6 +87,7 @@ BROKEN = {
         {"type": "instance", "group": "g", "transform": 3}, {"type": "instance", "group": "g", "radius": 1},
     ],
     "/objects/1/transform": [
+        [{"time": 0}], [{"time": 0}, {"scale": 2}], [{"time": 0}, {"time": 1, "transform": [{"time": 2}]}], [{"time": 0}, {"time": "late"}],
         {}, [{}], {"scale": 0}, {"scale": [1, 0, 1]}, {"scale": 2, "translate": [0, 0, 1]}, {"rotate": 3}, {"scale": 2, "axis": [0, 0, 1]},
         {"rotate": 3, "axis": [0, 0, 0]}, {"matrix": [1, 2, 3]}, {"translate": 3}, {"skew": 1},
     ],
