@@ -14,7 +14,6 @@
 #include "kernels/core/scene.cl"
 #include "kernels/core/sides.cl"
 #include "kernels/core/spawn.cl"
-#include "kernels/core/terminator.cl"
 #include "kernels/integrators/bundle.cl"
 #include "kernels/lights/choice.cl"
 #include "kernels/lights/light.cl"
@@ -32,14 +31,6 @@ FUNCTION float power_heuristic(float ratio) { return 1.0f / fma(ratio, ratio, 1.
 
 /// Around the shading normal, or the geometric one where the shading normal faces away from wo.
 FUNCTION Frame frame_of(Sides sides, vec3 wo) { return frame_of(where(dot3(sides.normal, wo) > 0.0f, sides.normal, sides.geometric)); }
-
-/// Whether a direction leads to the same side of the surface itself as of the shading normal's plane: `z` is its component along that normal.
-FUNCTION bool on_its_side(Sides sides, vec3 direction, float z) { return dot3(sides.geometric, direction) * z > 0.0f; }
-
-/// The factor by which light ends that is reflected in a direction, whose component along the frame's axis is z.
-FUNCTION float ending(Sides sides, Frame frame, vec3 direction, float z) {
-    return SHADING_NORMALS && z > 0.0f ? terminator_factor(frame.axis, sides.geometric, direction) : 1.0f;
-}
 
 /// A surface that a path has met.
 typedef struct {
@@ -62,6 +53,21 @@ FUNCTION MetSurface met_surface(const global Material *materials, SurfacePoint a
     return met;
 }
 
+/// Whether a direction, whose component along the frame's axis is z, leads to the same side of the surface itself as of the shading normal's plane.
+FUNCTION bool on_its_side(Sides sides, vec3 direction, float z) { return dot3(sides.geometric, direction) * z > 0.0f; }
+
+/// Whether light may come from there. Where shading normals reflect towards the wrong side of a face, the smooth surface decides, from which the ray
+/// begins: if it is not lifted enough to pass its own face, it meets that.
+FUNCTION bool may_come_from(MetSurface met, vec3 direction, float z) {
+    const bool opaque = !TRANSMITS || (met.material->flags & MATERIAL_TRANSMITS) == 0u;
+    return (SHADING_NORMALS && opaque && z > 0.0f) || on_its_side(met.sides, direction, z);
+}
+
+/// What a ray in such a direction leaves, and so cannot meet.
+FUNCTION uint source_of(MetSurface met, vec3 direction, float z) {
+    return !SHADING_NORMALS || on_its_side(met.sides, direction, z) ? SURFACE_PRIMITIVE(met.at.flags) : NO_HIT;
+}
+
 /// A path behind its next surface.
 typedef struct {
     Ray ray;
@@ -77,20 +83,19 @@ FUNCTION NextPath next_path(MetSurface met, Path path, BundleRow row, BsdfSample
     const vec3 scattered = from_frame(met.frame, next.wi), outwards = scaled(met.sides.geometric, stays ? 1.0f : -1.0f);
     // The shading normal may lead the only direction of a mirror to the wrong side of the surface: then its mirror image at the surface counts.
     const vec3 wi = unit(SHADING_NORMALS && single ? folded(scattered, outwards) : scattered);
-    const Spectrum weight = scaled(next.weight, single ? 1.0f : ending(met.sides, met.frame, wi, next.wi.z));
     NextPath child;
     child.enters = !stays && TRANSMITS && (met.material->flags & MATERIAL_TRANSMITS) != 0u;
     // Radiance in a medium of index n has a factor n², which must not count as brightness.
     const float scale = child.enters ? 1.0f / (met.point.eta * met.point.eta) : 1.0f;
-    const float survival = row.surface >= roulette_depth ? minimum(largest(weight) * scale, 1.0f) : 1.0f;
+    const float survival = row.surface >= roulette_depth ? minimum(largest(next.weight) * scale, 1.0f) : 1.0f;
     child.path = path;
     child.path.depth = depth_word(row.surface + 1u, part_within(row.path, row.going));
-    child.path.throughput = scaled(times(path.throughput, weight), survival > 0.0f ? share_of(row.going) / survival : 0.0f);
+    child.path.throughput = scaled(times(path.throughput, next.weight), survival > 0.0f ? share_of(row.going) / survival : 0.0f);
     child.path.branch = hash(path.branch * 2u + row.going.number);
     const vec3 origin = where(stays, met.sides.near, met.sides.far);
-    child.ray = ray_spawn(origin, wi, stays ? RAY_REFLECTED : RAY_REFRACTED, SURFACE_PRIMITIVE(met.at.flags));
+    child.ray = ray_spawn(origin, wi, stays ? RAY_REFLECTED : RAY_REFRACTED, source_of(met, wi, next.wi.z));
     child.pdf = next.pdf * ratio_of_counts(row);
-    child.lives = (met.is_there & on_its_side(met.sides, wi, next.wi.z)) && u < survival && largest(child.path.throughput) > 0.0f &&
+    child.lives = (met.is_there & may_come_from(met, wi, next.wi.z)) && u < survival && largest(child.path.throughput) > 0.0f &&
                   row.going.number < row.going.count;
     return child;
 }
@@ -107,14 +112,13 @@ FUNCTION AskingRay asking_ray(MetSurface met, Path path, BundleRow row, ChosenLi
     const vec3 towards = to_frame(met.frame, sample.direction);
     const BsdfValue value = bsdf_eval(met.material, met.point, towards);
     const float weight = power_heuristic(value.pdf * inverse_light_density(chosen, sample) * ratio_of_counts(row)) * share_of(row.asking);
-    const Spectrum received =
-        scaled(times(value.value, sample.irradiance), chosen.inverse_chance * weight * ending(met.sides, met.frame, sample.direction, towards.z));
+    const Spectrum received = scaled(times(value.value, sample.irradiance), chosen.inverse_chance * weight);
     const vec3 origin = where(towards.z > 0.0f, met.sides.near, met.sides.far);
     AskingRay asking;
-    asking.ray = ray_to_light(origin, sample.ray_direction, sample.distance, SURFACE_PRIMITIVE(met.at.flags));
+    asking.ray = ray_to_light(origin, sample.ray_direction, sample.distance, source_of(met, sample.direction, towards.z));
     asking.added = times(path.throughput, received);
     asking.is_worth =
-        (met.is_there & on_its_side(met.sides, sample.direction, towards.z)) && largest(asking.added) > 0.0f && row.asking.number < row.asking.count;
+        (met.is_there & may_come_from(met, sample.direction, towards.z)) && largest(asking.added) > 0.0f && row.asking.number < row.asking.count;
     return asking;
 }
 

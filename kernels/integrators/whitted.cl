@@ -13,7 +13,6 @@
 #include "kernels/core/scene.cl"
 #include "kernels/core/sides.cl"
 #include "kernels/core/spawn.cl"
-#include "kernels/core/terminator.cl"
 #include "kernels/lights/light.cl"
 
 /// Tells the random number for the choice of a child from others of the same ray.
@@ -172,8 +171,7 @@ kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint with_unlit, uint first
             const SurfacePoint surface = load(points + i);
             const LightSample sample = light_sample(scene, light, surface.origin, paths[list[i]].branch, instance_at(instances, i));
             const Spectrum irradiance = filtered(sample.irradiance, filters, row * stride + i);
-            const float ending = SHADING_NORMALS ? terminator_factor(surface.normal, load(interfaces + i).geometric, sample.direction) : 1.0f;
-            const Spectrum value = scaled(times(phong_local(phong, surface.normal, load(directions + i), sample.direction), irradiance), ending);
+            const Spectrum value = times(phong_local(phong, surface.normal, load(directions + i), sample.direction), irradiance);
             const bool lit = (row_visible[i] != 0) & ((surface.flags & SURFACE_LIT) != 0u);  // reads the whole record: see SurfacePoint
             columns.sum[0][c] += lit ? value.x : 0.0f, columns.sum[1][c] += lit ? value.y : 0.0f, columns.sum[2][c] += lit ? value.z : 0.0f;
         }

@@ -45,6 +45,7 @@ FUNCTION Surface frustum_surface(Scene scene, ShadingRecord record, Ray ray, Hit
     surface.error = plus(scaled(plus(absolute(frustum.center), make3(size, size, size)), 0x1p-21f), make3(bent, bent, bent));
     surface.geometric = unit(minus(outward, scaled(frustum.axis, frustum.slope)));
     surface.normal = surface.geometric;
+    surface.lift = make3(0.0f, 0.0f, 0.0f);
     return surface;
 }
 

@@ -45,6 +45,7 @@ FUNCTION Surface surface_in_world(PlacedTransforms transforms, Surface surface) 
     world.error = where(moved, plus(error_in_world(to_world, error), scaled(absolute(p), 0x1p-22f)), surface.error);
     world.geometric = where(moved, geometric, surface.geometric);
     world.normal = where(moved, scaled(normal, dot3(normal, geometric) < 0.0f ? -1.0f : 1.0f), surface.normal);
+    world.lift = where(moved, transformed_direction(to_world, surface.lift), surface.lift);
     return world;
 }
 

@@ -13,6 +13,7 @@ FUNCTION Surface where(int c, Surface a, Surface b) {
     r.error = where(c, a.error, b.error);
     r.geometric = where(c, a.geometric, b.geometric);
     r.normal = where(c, a.normal, b.normal);
+    r.lift = where(c, a.lift, b.lift);
     return r;
 }
 
@@ -50,7 +51,7 @@ FUNCTION float primitive_emission_factor(ShadingRecord record, vec3 from, vec3 p
 FUNCTION Surface primitive_surface(Scene scene, ShadingRecord record, Ray ray, Hit hit) {
     Surface surface;
     surface.p = ray.origin, surface.error = make3(0.0f, 0.0f, 0.0f);
-    surface.geometric = negate(ray.direction), surface.normal = surface.geometric;
+    surface.geometric = negate(ray.direction), surface.normal = surface.geometric, surface.lift = surface.error;
 #define CASE(KIND, Record, name) \
     ONLY_IF(record.kind == KIND) surface = where(record.kind == KIND, name##_surface(scene, record, ray, hit), surface);
     FOR_EACH_PRIMITIVE(CASE)

@@ -27,6 +27,7 @@ FUNCTION Surface sphere_surface(Scene scene, ShadingRecord record, Ray ray, Hit 
     Surface surface;
     surface.geometric = unit(plus(minus(ray.origin, sphere.center), scaled(ray.direction, hit.t)));
     surface.normal = surface.geometric;
+    surface.lift = make3(0.0f, 0.0f, 0.0f);
     const vec3 p = plus(sphere.center, scaled(surface.geometric, radius));
     surface.p = minus(p, scaled(surface.geometric, sphere_surface_offset(sphere.center, radius, p) / (2.0f * radius)));
     // The difference's own rounding; and of the first point's error, 2^-21 of its terms, the correction leaves 2^-21, the offset's rounding less.

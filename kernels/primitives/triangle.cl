@@ -33,6 +33,7 @@ FUNCTION Surface triangle_surface(Scene scene, ShadingRecord record, Ray ray, Hi
     // The difference's own rounding; and of the mean's error, 2^-21 of its terms, the correction leaves 2^-21, the offset's rounding less.
     surface.error = plus(scaled(absolute(surface.p), 0x1p-22f), scaled(plus(absolute(a), plus(absolute(b), absolute(c))), 0x1p-38f));
     surface.normal = surface.geometric;
+    surface.lift = make3(0.0f, 0.0f, 0.0f);
     return surface;
 }
 

@@ -170,7 +170,7 @@ const Layouts &host_layouts() {
         RECORD(EmissiveFace, corner, u, v, normal, folded, error, kept, alias, first, last),
         RECORD(LightChoice, kept, alias, inverse_chance, radiance),
         RECORD(LightSample, direction, ray_direction, distance, irradiance, inverse_density),
-        RECORD(Surface, p, error, geometric, normal),
+        RECORD(Surface, p, error, geometric, normal, lift),
         RECORD(Pattern, uv, color),
         RECORD(SphereBlock, primitive, x, y, z, radius),
         RECORD(SphereShading, center, radius),

@@ -1,6 +1,8 @@
 /// kernels/primitives/smooth_triangle.cl: normals between those of the vertices.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/scenes.h"
 #include "tests/support/traced_scene.h"
 
@@ -49,6 +51,39 @@ TEST(SmoothTriangle, TheNormalIsInterpolatedBetweenTheVertices) {
         }
         EXPECT_GT(compared, 500u);
     }
+}
+
+/// A face of a ball with the ball's normals: from outside it is lifted to the ball, but for a tenth of what it lies below that, from inside not at
+/// all.
+TEST(SmoothTriangle, IsLiftedToTheBallThatItsNormalsAreOf) {
+    const auto on_ball = [](double x, double y) { return vec3(glm::normalize(dvec3(x, y, 1))); };
+    const std::vector<vec3> corners = {on_ball(-0.15, -0.1), on_ball(0.2, -0.05), on_ball(0.03, 0.2)};
+    Scene scene;
+    add_material(scene, matte(0.5f));
+    add_triangle_mesh(scene, 0, MeshData{.positions = corners, .normals = corners, .indices = {0, 1, 2}});
+    TracedScene traced(scene, "none");
+    Random random(1);
+    std::vector<Ray> rays;
+    for (uint i = 0; i < 4096; ++i) {
+        const vec3 target = vec3(0.2f * random.in_cube(1).x, 0.2f * random.in_cube(1).y, 1), origin(0, 0, i % 2 ? 5 : 0);
+        rays.push_back(make_ray(origin, vec3(glm::normalize(dvec3(target) - dvec3(origin)))));
+    }
+    const std::vector<Hit> hits = traced.closest_hits(rays);
+    const std::vector<Surface> surfaces = traced.surfaces(rays, hits);
+    uint outside = 0, inside = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (hits[i].primitive == NO_HIT) continue;
+        const double below = 1 - glm::length(dvec3(surfaces[i].p)), left = 1 - glm::length(dvec3(surfaces[i].p) + dvec3(surfaces[i].lift));
+        if (i % 2) {
+            ++outside;
+            ASSERT_LT(std::abs(left), 0.1 * below + 1e-6) << below;
+        } else {
+            ++inside;
+            ASSERT_EQ(surfaces[i].lift, vec3(0));
+        }
+    }
+    EXPECT_GT(outside, 200u);
+    EXPECT_GT(inside, 200u);
 }
 
 }  // namespace
