@@ -27,7 +27,7 @@ typedef struct {
 } PlaceInSequence;
 
 FUNCTION PlaceInSequence place_in_sequence(uint pixel, uint sample, Part part, uint dimension, BatchParams batch) {
-    const uint bits = run_bits(half_of_samples(batch) * part.count), number = index_of_part(sample >> 1, part), curve = place_on_curve(pixel);
+    const uint bits = run_bits(samples_of_a_half(batch) * part.count), number = index_of_part(sample >> 1, part), curve = place_on_curve(pixel);
     PlaceInSequence place;
     place.index = curve << bits | (number & ((1u << bits) - 1u));
     const uint beyond = (bits > 0u ? curve >> (32u - bits) : 0u) ^ hash(number >> bits);

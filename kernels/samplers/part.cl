@@ -31,4 +31,4 @@ FUNCTION float place_of_part(Part part, float u) {
 }
 
 /// How many samples of a pixel are of even number, at least as many as of odd number; 2^16 stand for more.
-FUNCTION uint half_of_samples(BatchParams batch) { return clamp((batch.spp + 1u) >> 1, 1u, 1u << 16); }
+FUNCTION uint samples_of_a_half(BatchParams batch) { return clamp((batch.spp + 1u) >> 1, 1u, 1u << 16); }

@@ -14,7 +14,7 @@ FUNCTION uint permuted(uint x, uint bits, uint seed) {
     x = (x ^ seed) & ones;
     x = x * (seed >> 15 | 1u) & ones;
     x ^= x >> shift;
-    x = (x * 0x9e3779b1u + (seed >> 7)) & ones;
+    x = (x * 0x7feb352du + (seed >> 7)) & ones;
     x ^= x >> shift;
     return x * (seed >> 3 | 1u) & ones;
 }
@@ -24,7 +24,7 @@ FUNCTION float in_cell(uint cell, uint bits, uint random) { return unit_interval
 
 /// A part's pair of numbers for a use, the `dimension` from 1 on, in [0, 1)². Those beyond a grid begin another.
 FUNCTION vec2 sampler_pair(uint pixel, uint sample, Part part, uint dimension, BatchParams batch) {
-    const uint bits = grid_bits(half_of_samples(batch) * part.count), columns = bits >> 1, number = index_of_part(sample >> 1, part);
+    const uint bits = grid_bits(samples_of_a_half(batch) * part.count), columns = bits >> 1, number = index_of_part(sample >> 1, part);
     const uint use = dimension_of_part(dimension, part);
     const uint grid = hash(hash(pixel ^ hash((sample & 1u) ^ hash(batch.seed))) ^ hash(use ^ hash(number >> bits)));
     const uint cell = permuted(number & ((1u << bits) - 1u), bits, grid), random = hash(grid ^ hash(number + 1u));

@@ -77,20 +77,18 @@ TEST(BlueNoise, EveryBoxHasOneOfASquareOfPixelsSamples) {
                 }
 }
 
-/// One sample in each of n columns of a block's n pixels: the block's mean has variance 1 / (12 n^3), where independent ones have 1 / (12 n).
+/// One sample in each of n columns of a block's n pixels: the block's mean has variance 1 / (12 n^3), where independent ones have 1 / (12 n). Blocks
+/// of one use share its scrambling, so the mean is over uses.
 TEST(BlueNoise, NeighboursErrorsCancelEachOther) {
-    constexpr uint width = 64, block = 4, n = block * block;
-    const std::vector<vec2> points = first_samples("blue_noise", some_pixels(width), 0, 1, 5);
+    constexpr uint n = 16, uses = 1000;
     double square = 0;
-    for (uint top = 0; top < width; top += block)
-        for (uint left = 0; left < width; left += block) {
-            double error = -0.5;
-            for (uint y = 0; y < block; ++y)
-                for (uint x = 0; x < block; ++x) error += double(points[(top + y) * width + left + x].x) / n;
-            square += error * error * n / (width * width);
-        }
+    for (uint use = 1; use <= uses; ++use) {
+        double error = -0.5;
+        for (const vec2 &p : first_samples("blue_noise", square_of_pixels(8, 20, 4), 0, 1, use)) error += double(p.x) / n;
+        square += error * error / uses;
+    }
     const double variance = 1 / (12.0 * n * n * n);
-    EXPECT_NEAR(square, variance, 5 * std::sqrt(2.0 * n / (width * width)) * variance);
+    EXPECT_NEAR(square, variance, 5 * std::sqrt(2.0 / uses) * variance);
 }
 
 /// Beyond what 32 bits number, and of more samples than were said.
