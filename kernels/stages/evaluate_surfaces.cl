@@ -50,7 +50,7 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
         const uint beyond = lit_beyond ? SURFACE_LIT_BEYOND : 0u, back = enters ? 0u : SURFACE_BACK;
         const uint lit = (material->flags & MATERIAL_LIT) != 0u ? SURFACE_LIT : 0u;
         SurfacePoint point;
-        point.origin = spawn_origin(SHADING_NORMALS && !transmits ? plus(surface.p, surface.lift) : surface.p, offset);
+        point.origin = spawn_origin(PATHS && SHADING_NORMALS && !transmits ? plus(surface.p, surface.lift) : surface.p, offset);
         point.material = on_surface ? material_index : 0u;
         point.normal = scaled(surface.normal, lit_side);
         point.flags = on_surface ? SURFACE_HIT | beyond | lit | back | hit.primitive << 4 : 0u;

@@ -11,7 +11,7 @@ namespace brandung {
 /// As kernels/selftest/crossings.cl has it, in float or in double.
 template <class Number> struct CrossingResult {
     Number t, u, v;
-    Number p[3], error[3], geometric[3], normal[3], uv[2];
+    Number p[3], error[3], geometric[3], normal[3], lift[3], uv[2];
     uint hit;
 };
 

@@ -24,7 +24,7 @@ template <class Number> struct RayOf {
     Number origin[3], t_max, direction[3];
     uint tag;
 };
-template <class Number> struct SurfaceOf { Number p[3], error[3], geometric[3], normal[3]; };
+template <class Number> struct SurfaceOf { Number p[3], error[3], geometric[3], normal[3], lift[3]; };
 template <class Number> struct InstanceResult {
     Number origin[3], direction[3];
     SurfaceOf<Number> world;

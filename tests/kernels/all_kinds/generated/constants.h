@@ -6,6 +6,7 @@
 #define INTERIOR_SIZE 4u
 #define HIGHLIGHTS 1
 #define SHADING_NORMALS 1
+#define PATHS 1
 #define INSTANCES 1
 #define INSTANCES_MOVE 1
 #define LIGHTS 1
