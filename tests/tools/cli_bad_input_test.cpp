@@ -43,8 +43,8 @@ INSTANTIATE_TEST_SUITE_P(
         Usage{"FromOfTwoNumbers", {"render", "SCENE", "-o", "OUT", "--from", "1,2"}, "--from"},
         Usage{"UpOfWords", {"render", "SCENE", "-o", "OUT", "--up", "0,0,z"}, "--up"},
         Usage{"AtBeyondTheLimit", {"render", "SCENE", "-o", "OUT", "--at", "0,0,1e16"}, "--at"},
-        Usage{"FovOf180", {"render", "SCENE", "-o", "OUT", "--fov", "180"}, "--fov"},
-        Usage{"FovOfNoNumber", {"render", "SCENE", "-o", "OUT", "--fov", "nan"}, "above 0 and below 180 degrees, got 'nan'"},
+        Usage{"FovBeyondAnyCamera", {"render", "SCENE", "-o", "OUT", "--fov", "361"}, "--fov"},
+        Usage{"FovOfNoNumber", {"render", "SCENE", "-o", "OUT", "--fov", "nan"}, "above 0 and at most 360 degrees, got 'nan'"},
         Usage{"SaveEveryNoNumber",
               {"render", "SCENE", "-o", "OUT", "--save-every", "nan"},
               "--save-every: must be a finite number of seconds above 0, got 'nan'"},
@@ -95,6 +95,13 @@ void expect_refused(const std::string &extension, const std::string &text, const
 }
 
 TEST_P(BadSetting, IsRefusedForNativeScenes) { expect_refused(".json", native_scene(), GetParam()); }
+TEST(BadSettingOfACamera, AnAngleIsRefusedWhereThereIsNone) {
+    expect_refused(".json", native_scene(),
+                   {"",
+                    {"--fov", "30", "--set", R"(camera={"type":"orthographic","from":[0,0,4],"at":[0,0,0],"height":2})"},
+                    {": camera \"camera\" is orthographic and has no \"fov\""}});
+}
+
 TEST_P(BadSetting, IsRefusedForNffScenes) { expect_refused(".nff", nff_scene(), GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -118,9 +125,6 @@ INSTANTIATE_TEST_SUITE_P(
         Setting{"UnknownAcceleratorQuality", {"--accelerator-quality", "medium"}, {": /accelerator_quality", "fast, high", "medium"}},
         Setting{"UnknownPixel", {"--pixel", "edge"}, {"edge", "corner"}}, Setting{"UnknownCamera", {"--camera", "drone"}, {"drone"}},
         Setting{"AngleBeyondAPinholes", {"--fov", "180"}, {": camera \"camera\", as changed: \"fov\" must be below 180 degrees, got 180"}},
-        Setting{"AngleOfACameraWithoutOne",
-                {"--fov", "30", "--set", R"(camera={"type":"orthographic","from":[0,0,4],"at":[0,0,0],"height":2})"},
-                {": camera \"camera\" is orthographic and has no \"fov\""}},
         Setting{"UnknownDevice", {"--device", "abacus"}, {"abacus"}},
         Setting{"CornerWithManySamples",
                 {"--pixel", "corner", "--spp", "4"},

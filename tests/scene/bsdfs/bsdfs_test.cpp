@@ -38,7 +38,8 @@ template <class View> View view_of(const Material &material) {
     return view;
 }
 
-uint flags_of(const std::string &text) { return read(text).flags; }
+/// But for those of bundles.
+uint flags_of(const std::string &text) { return read(text).flags & ~(MATERIAL_DIFFUSE | MATERIAL_GLOSSY | MATERIAL_PASSES); }
 
 }  // namespace
 

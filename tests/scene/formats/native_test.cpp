@@ -110,13 +110,13 @@ TEST(Native, MakesMaterialRecords) {
     const Scene scene = read_text(small_scene);
     ASSERT_EQ(scene.materials.size(), 2u);
     const Material &water = scene.materials[0].record, &grey = scene.materials[1].record;
-    EXPECT_EQ(water.flags, MATERIAL_TRANSMITS);
+    EXPECT_EQ(water.flags, MATERIAL_TRANSMITS | MATERIAL_PASSES);
     EXPECT_EQ(water.eta, 1.33f);
     EXPECT_EQ(water.priority, 3u);
     EXPECT_EQ(view_of<Whitted>(water).fresnel, 1u);
     EXPECT_EQ(view_of<Whitted>(water).transmission, Spectrum(1));
     // Defaults.
-    EXPECT_EQ(grey.flags, MATERIAL_LIT);
+    EXPECT_EQ(grey.flags, MATERIAL_LIT | MATERIAL_DIFFUSE);
     EXPECT_EQ(grey.emission, Spectrum(0));
     EXPECT_EQ(view_of<Whitted>(grey).diffuse, Spectrum(0.5f));
     EXPECT_EQ(view_of<Whitted>(grey).ambient, Spectrum(0.5f));
