@@ -188,7 +188,7 @@ TEST(ShadingNormals, LightEndsSmoothlyOnFacets) {
     Scene scene = scene_seen_from({0, 0, 6}, {0, 0, 0}, 20, 200);
     scene.integrator.type = "path", scene.integrator.max_depth = 1;
     add_faceted_ball(scene, add_material(scene, matte(1)));
-    scene.lights.push_back(directional_light({1, 0, 0}, Spectrum(1)));
+    scene.lights.push_back(directional_light({0.8f, 0, 0.6f}, Spectrum(1)));  // so that the border crosses faces
     const Rendering rendering = render_scene(scene);
     float brightest = 0, steepest = 0;
     for (uint x = 30; x + 1 < 170; ++x) {
@@ -208,4 +208,14 @@ TEST(ShadingNormals, RefractEverythingIntoTheBody) {
     EXPECT_GT(rendering.counts.rays[RAY_REFRACTED], 3000u);
     EXPECT_EQ(rendering.counts.hits[RAY_REFRACTED], rendering.counts.rays[RAY_REFRACTED]);
     EXPECT_EQ(rendering.counts.hits[RAY_REFLECTED], 0u);
+}
+
+/// Of a path none is lost at an ideal interface, on whatever side of a face the shading normal would lead it.
+TEST(ShadingNormals, LoseNoPathAtGlass) {
+    Scene scene = scene_seen_from({0.3f, 1, 4}, {0, 0, 0}, 32, 100);
+    scene.integrator.type = "path", scene.integrator.max_depth = 1;
+    add_faceted_ball(scene, add_material(scene, glass(1.5f)));
+    const RayCounts counts = render_scene(scene).counts;
+    EXPECT_GT(counts.hits[RAY_CAMERA], 3000u);
+    EXPECT_EQ(counts.rays[RAY_REFLECTED] + counts.rays[RAY_REFRACTED], counts.hits[RAY_CAMERA]);
 }
