@@ -97,7 +97,7 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
       options_(std::move(options)),
       scene_shutter_(scene.shutter),
       camera_(make_camera(camera, film_settings_.width, film_settings_.height)),
-      camera_motion_(device, camera_motion(camera, scene_shutter_)),
+      camera_motion_(device, camera_motion(camera, scene_shutter_).value()),
       shutter_(shutter_params(camera, scene_shutter_, camera_motion_.size())),
       interior_(media_of_eye(scene, compiled, camera)),
       filter_(device, film_settings_, on_device.lists()),
@@ -108,7 +108,7 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
 
 void Renderer::look_from(const CameraDescription &camera) {
     camera_ = make_camera(camera, film_settings_.width, film_settings_.height);
-    camera_motion_ = Buffer<MotionPart>(device_, camera_motion(camera, scene_shutter_));
+    camera_motion_ = Buffer<MotionPart>(device_, camera_motion(camera, scene_shutter_).value());
     shutter_ = shutter_params(camera, scene_shutter_, camera_motion_.size());
 }
 

@@ -9,7 +9,7 @@
 #include "kernels/core/params.h"
 #include "kernels/core/scene.h"
 #include "scene/accelerators/build_quality.h"
-#include "scene/motion.h"
+#include "scene/motion_parts.h"
 #include "scene/primitives/shape.h"
 #include "scene/textures/texture.h"
 #include "scene/transform.h"

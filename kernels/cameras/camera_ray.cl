@@ -3,16 +3,10 @@
 #include "kernels/core/items.cl"
 #include "kernels/core/lanes_1.cl"
 #include "kernels/core/params.h"
+#include "kernels/core/spawn.cl"
 
 /// `direction` has unit length.
-FUNCTION Ray ray_from_eye(vec3 origin, vec3 direction) {
-    Ray ray;
-    ray.origin = origin;
-    ray.direction = direction;
-    ray.t_max = INFINITY;
-    ray.tag = RAY_TAG(RAY_CAMERA, NO_HIT);
-    return ray;
-}
+FUNCTION Ray ray_from_eye(vec3 origin, vec3 direction) { return ray_spawn(origin, direction, RAY_CAMERA, NO_HIT); }
 
 /// Three of a camera's words.
 #define CAMERA_VECTOR(camera, first) make3(camera.words[first], camera.words[first + 1], camera.words[first + 2])

@@ -132,8 +132,7 @@ typedef struct {
 /// filters[row * stride + i] lets it through where shadows are filtered, and where `with_unlit` is 1 by what needs no light: background, emission,
 /// ambient light.
 kernel void shade_whitted(SCENE_PARAMS, LIVE_PARAMS, uint with_unlit, uint first_light, uint lights, uint stride, const global Path *restrict paths,
-                          const global uint *restrict instances, const global SurfacePoint *restrict points,
-                          const global SurfaceInterface *restrict interfaces, const global vec3 *restrict directions,
+                          const global uint *restrict instances, const global SurfacePoint *restrict points, const global vec3 *restrict directions,
                           const global Tints *restrict tints, const global uchar *restrict visible, const global Spectrum *restrict filters,
                           global Spectrum *restrict contributions) {
     const Scene scene = SCENE;

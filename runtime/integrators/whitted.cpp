@@ -120,8 +120,8 @@ private:
         if (rows > 0) trace_shadows(wave, light, rows);
         const Buffer<std::uint8_t> &visible = shadows_ ? shadows_->visible : surfaces_.no_bytes;
         shade_(wave.count, scene_.tables(), wave, uint{light == 0}, light, rows, stride, wave.level.paths, surfaces_.places(), surfaces_.points,
-               surfaces_.interfaces, surfaces_.directions, surfaces_.tints(), several(visible, rows),
-               several(shadow_filter_ ? shadow_filter_->filters : no_spectra_, rows), contributions_);
+               surfaces_.directions, surfaces_.tints(), several(visible, rows), several(shadow_filter_ ? shadow_filter_->filters : no_spectra_, rows),
+               contributions_);
         accumulate_(wave.count, wave, wave.level.paths, contributions_, updated(samples), shared(refused_));
         if (observation_) record_lights(wave, rows);
     }
@@ -168,8 +168,8 @@ private:
     /// What visible lights, and with_unlit what needs none, give at throughput 1.
     std::vector<Spectrum> radiance(const Wave &wave, uint with_unlit, uint light, uint lights) {
         Observation &o = *observation_;
-        shade_(wave.count, scene_, wave, with_unlit, light, lights, 0u, o.unit_paths, surfaces_.places(), surfaces_.points, surfaces_.interfaces,
-               surfaces_.directions, surfaces_.tints(), o.all_visible, o.arriving, o.radiance);
+        shade_(wave.count, scene_, wave, with_unlit, light, lights, 0u, o.unit_paths, surfaces_.places(), surfaces_.points, surfaces_.directions,
+               surfaces_.tints(), o.all_visible, o.arriving, o.radiance);
         return o.radiance.read(0, wave.count);
     }
 

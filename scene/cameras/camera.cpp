@@ -41,9 +41,9 @@ CameraFrame frame_of(const CameraDescription &description) {
     return {from, forward, right, glm::cross(right, forward)};
 }
 
-std::vector<MotionPart> camera_motion(const CameraDescription &description, const Shutter &shutter) {
-    if (description.keys.empty()) return {};
-    return motion_parts(motion_of(description), shutter, {vec3(-1), vec3(1)}).value();
+std::optional<std::vector<MotionPart>> camera_motion(const CameraDescription &description, const Shutter &shutter) {
+    if (description.keys.empty()) return std::vector<MotionPart>();
+    return motion_parts(motion_of(description), shutter, {vec3(-1), vec3(1)});
 }
 
 bool is_at_rest(const CameraDescription &description) { return description.keys.empty() || motion_of(description).is_at_rest(description.shutter); }

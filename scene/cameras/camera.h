@@ -52,8 +52,9 @@ std::optional<std::string> fov_fault(const FovRange &range, float degrees);
 /// For pictures of width x height; of a camera that moves, in its own space, from which its motion leads.
 Camera make_camera(const CameraDescription &description, uint width, uint height);
 
-/// The motion of one that moves; no parts of one at rest. `shutter` is the scene's.
-std::vector<MotionPart> camera_motion(const CameraDescription &description, const Shutter &shutter);
+/// The motion of one that moves; no parts of one at rest. `shutter` is the scene's. Nothing if it turns too far in too short a time; scenes' readers
+/// refuse such cameras.
+std::optional<std::vector<MotionPart>> camera_motion(const CameraDescription &description, const Shutter &shutter);
 /// Whether it stands still while its shutter is open.
 bool is_at_rest(const CameraDescription &description);
 /// The same camera as it is at a time, at rest.

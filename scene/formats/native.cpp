@@ -202,7 +202,9 @@ CameraDescription read_camera(const Parameters &parameters, const std::string &n
     else
         read_view(parameters, parameters, camera);
     parameters.expect_all_known();
-    return is_at_rest(camera) ? at_rest(camera, camera.shutter.open) : camera;
+    if (is_at_rest(camera)) return at_rest(camera, camera.shutter.open);
+    if (!camera_motion(camera, scene.shutter)) parameters.fail("keys", "the camera changes too much between its keys");
+    return camera;
 }
 
 /// Of all cameras, which are read when the scene's things have been.

@@ -66,18 +66,8 @@ Scene plate_scene(const std::string &material) {
                      all.objects + "]}");
 }
 
-double p_of(const Estimate &a, const Estimate &b) {
-    return statistics::p_of_difference({double(a.mean), double(a.variance / Real(a.samples))},
-                                       {double(b.mean), double(b.variance / Real(b.samples))});
-}
-
-class Plates : public testing::TestWithParam<Plate> {};
-
-}  // namespace
-
 /// Welch's test of the mean of all samples. Sizes differ in two of them, so that none may be taken for another.
-TEST_P(Plates, HaveThePathsMeanWhateverTheBundles) {
-    Scene scene = plate_scene(GetParam().material);
+void expect_paths_mean(Scene scene) {
     scene.film.spp = 128;
     const Estimate path = estimate(scene);
     EXPECT_LT(path.error(), 0.01L * path.mean) << "the test can tell";
@@ -92,6 +82,25 @@ TEST_P(Plates, HaveThePathsMeanWhateverTheBundles) {
             << bundles.light << ", " << bundles.diffuse << ": " << distributed.mean << " instead of " << path.mean;
     }
     EXPECT_TRUE(statistics::plausible(p));
+}
+
+class Plates : public testing::TestWithParam<Plate> {};
+
+}  // namespace
+
+TEST_P(Plates, HaveThePathsMeanWhateverTheBundles) { expect_paths_mean(plate_scene(GetParam().material)); }
+
+/// A ball that crosses the picture under a lamp while the shutter is open, over a floor on which its shadow moves.
+TEST(Distributed, AMovingBallHasThePathsMeanWhateverTheBundles) {
+    expect_paths_mean(read_text(R"({"film": {"width": 32, "height": 24, "sampler": "independent"}, "background": [0.3, 0.5, 0.9],
+        "integrator": {"type": "path", "max_depth": 4}, "camera": {"from": [0, 1, 5], "at": [0, 0.4, 0], "fov": 30, "shutter": [0, 1]},
+        "materials": [{"name": "ball", "type": "plastic", "diffuse": [0.6, 0.2, 0.1], "roughness": 0.3},
+            {"name": "floor", "type": "diffuse", "reflectance": 0.5}, {"name": "lamp", "type": "diffuse", "reflectance": 0, "emission": 5}],
+        "groups": [{"name": "ball", "objects": [{"type": "sphere", "material": "ball", "center": [0, 0, 0], "radius": 0.4}]}],
+        "objects": [{"type": "polygon", "material": "floor", "vertices": [[-5, 0, 5], [5, 0, 5], [5, 0, -5], [-5, 0, -5]]},
+            {"type": "polygon", "material": "lamp", "vertices": [[-0.5, 2, -0.5], [-0.5, 2, 0.5], [0.5, 2, 0.5], [0.5, 2, -0.5]]},
+            {"type": "instance", "group": "ball", "transform": [{"time": 0, "transform": {"translate": [-0.8, 0.4, 0]}},
+                {"time": 1, "transform": {"translate": [0.8, 0.9, 0.3]}}]}]})"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Distributed, Plates, testing::ValuesIn(plates), [](const auto &info) { return std::string(info.param.name); });

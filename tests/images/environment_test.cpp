@@ -83,11 +83,6 @@ Scene floor_under(const Sky &sky) {
 }
 
 /// Of a difference as large as that of the means, if both are of the same.
-double p_of(const Estimate &a, const Estimate &b) {
-    return statistics::p_of_difference({double(a.mean), double(a.variance / Real(a.samples))},
-                                       {double(b.mean), double(b.variance / Real(b.samples))});
-}
-
 }  // namespace
 
 TEST_P(Skies, LightTheFloorAsTheirIntegralSays) {

@@ -68,6 +68,12 @@ inline void expect_mean(const Estimate &estimate, Real expected) {
     EXPECT_LT(estimate.error(), 0.01L * expected) << "the test can tell";
 }
 
+/// Of the difference of two means (Welch's test).
+inline double p_of(const Estimate &a, const Estimate &b) {
+    return statistics::p_of_difference({double(a.mean), double(a.variance / Real(a.samples))},
+                                       {double(b.mean), double(b.variance / Real(b.samples))});
+}
+
 /// Of the normal distribution: half the width of the interval that holds all but this part.
 inline Real half_width(Real part) {
     Real low = 0, high = 10;

@@ -108,23 +108,26 @@ void expect_coverage(const Scene &scene, const std::vector<vec3> &picture, glm::
     EXPECT_GT(partial, 30u) << "the ball moves";
 }
 
+/// From time 0 to 1 it goes its way; light does not come from it, it is but seen.
+Scene shining_ball(const std::string &integrator, const Shutter &of_scene, const Shutter &of_camera) {
+    Scene scene = scene_of(integrator);
+    scene.film.spp = 256;
+    scene.integrator.light_samples = 0;
+    scene.shutter = of_scene, scene.cameras[0].shutter = of_camera;
+    move(scene, ball(scene, add_material(scene, emitter(Spectrum(1))), 1), translation({-2, -0.5, 0}), translation({2, 1, 0}));
+    return scene;
+}
+
 }  // namespace
 
 /// Over its way a ball that shines is as bright everywhere as it covers pixel and time.
 TEST_P(MovingBall, CoversPixelsAsLongAsItIsThere) {
-    Scene scene = scene_of(GetParam());
-    scene.film.spp = 256;
-    scene.integrator.light_samples = 0;
-    move(scene, ball(scene, add_material(scene, emitter(Spectrum(1))), 1), translation({-2, -0.5, 0}), translation({2, 1, 0}));
+    const Scene scene = shining_ball(GetParam(), {0, 1}, {0, 1});
     expect_coverage(scene, render_scene(scene).picture, {-2, -0.5}, {2, 1}, 1);
 }
 
 TEST_P(MovingBall, IsSeenAsLongAsTheShutterIsOpen) {
-    Scene scene = scene_of(GetParam());
-    scene.film.spp = 256;
-    scene.integrator.light_samples = 0;
-    scene.shutter = {-1, 1}, scene.cameras[0].shutter = {0, 0.5};
-    move(scene, ball(scene, add_material(scene, emitter(Spectrum(1))), 1), translation({-2, -0.5, 0}), translation({2, 1, 0}));
+    const Scene scene = shining_ball(GetParam(), {-1, 1}, {0, 0.5});
     expect_coverage(scene, render_scene(scene).picture, {-2, -0.5}, {0, 0.25}, 1);
 }
 
@@ -190,11 +193,6 @@ Scene moving_lamp(const std::function<void(Scene &)> &add) {
     return scene;
 }
 
-double p_of(const irradiance::Estimate &a, const irradiance::Estimate &b) {
-    return statistics::p_of_difference({double(a.mean), double(a.variance / irradiance::Real(a.samples))},
-                                       {double(b.mean), double(b.variance / irradiance::Real(b.samples))});
-}
-
 }  // namespace
 
 /// As long as lamps are asked where they are, asking, finding them by chance, and both weighted agree.
@@ -217,8 +215,8 @@ TEST(MovingLamps, GiveWhatIsFoundOfThemByChance) {
         const irradiance::Estimate both = irradiance::estimate(scene);
         scene.integrator.light_samples = 0;
         const irradiance::Estimate met = irradiance::estimate(scene);
-        EXPECT_TRUE(statistics::plausible(p_of(whitted, met))) << whitted.mean << " but by chance " << met.mean;
-        EXPECT_TRUE(statistics::plausible(p_of(both, met))) << both.mean << " but by chance " << met.mean;
+        EXPECT_TRUE(statistics::plausible(irradiance::p_of(whitted, met))) << whitted.mean << " but by chance " << met.mean;
+        EXPECT_TRUE(statistics::plausible(irradiance::p_of(both, met))) << both.mean << " but by chance " << met.mean;
         for (const irradiance::Estimate &estimate : {whitted, both}) EXPECT_LT(estimate.error(), 0.015L * met.mean) << "the test can tell";
     }
 }

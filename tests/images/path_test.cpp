@@ -27,11 +27,6 @@ Scene furnace(uint depth, Spectrum emission) {
 }
 
 /// Of a difference as large as that of the means, if both are of the same.
-double p_of(const Estimate &a, const Estimate &b) {
-    return statistics::p_of_difference({double(a.mean), double(a.variance / Real(a.samples))},
-                                       {double(b.mean), double(b.variance / Real(b.samples))});
-}
-
 class Depth : public testing::TestWithParam<uint> {};
 
 }  // namespace

@@ -37,13 +37,21 @@ struct Rendering {
     Renderer renderer;
 };
 
+/// Of a whole render, and how many rays it had.
+struct WholeSample {
+    explicit WholeSample(const Scene &scene) {
+        Rendering rendering(scene);
+        Film film(test_device(), scene.film.window());
+        rendering.renderer.render(film);
+        counts = rendering.renderer.integrator().counts();
+        sample = sample_rays(rendering.renderer, scene.film.window(), batch);
+    }
+    RayCounts counts;
+    RaySample sample;
+};
+
 TEST(RaySample, HasTheRaysOfARender) {
-    const Scene scene = mirrors();
-    Rendering rendering(scene);
-    Film film(test_device(), scene.film.window());
-    rendering.renderer.render(film);
-    const RayCounts counts = rendering.renderer.integrator().counts();
-    const RaySample sample = sample_rays(rendering.renderer, scene.film.window(), batch);
+    const auto [counts, sample] = WholeSample(mirrors());
     EXPECT_EQ(count_of(sample, camera), 72 * 60);
     EXPECT_EQ(count_of(sample, secondary), counts.rays[RAY_REFLECTED] + counts.rays[RAY_REFRACTED]);
     EXPECT_EQ(count_of(sample, RayQueue::Use::shadow), counts.rays[RAY_SHADOW]);
@@ -60,11 +68,7 @@ TEST(RaySample, HasTheRaysOfARender) {
 TEST(RaySample, HasTheRaysOfPaths) {
     Scene scene = mirrors();
     scene.integrator.type = "path";
-    Rendering rendering(scene);
-    Film film(test_device(), scene.film.window());
-    rendering.renderer.render(film);
-    const RayCounts counts = rendering.renderer.integrator().counts();
-    const RaySample sample = sample_rays(rendering.renderer, scene.film.window(), batch);
+    const auto [counts, sample] = WholeSample(scene);
     EXPECT_EQ(count_of(sample, camera), 72 * 60);
     EXPECT_EQ(count_of(sample, secondary), counts.rays[RAY_REFLECTED]);
     EXPECT_EQ(count_of(sample, RayQueue::Use::shadow), counts.rays[RAY_SHADOW]);

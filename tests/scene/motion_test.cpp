@@ -6,7 +6,7 @@
 #include "scene/compile.h"
 #include "scene/error.h"
 #include "scene/formats/format.h"
-#include "scene/motion.h"
+#include "scene/motion_parts.h"
 #include "scene/primitives/add.h"
 #include "scene/view.h"
 #include "tests/scene/formats/temporary_file.h"
@@ -227,6 +227,8 @@ TEST(MotionFormat, ErrorsNameLineAndCause) {
     expect("\"shutter\": [0, 1]", "\"shutter\": [0, 1], \"keys\": [{\"time\": 0}]", ":2: /camera/keys: needs at least two keys, or none");
     expect("\"shutter\": [0, 1]", "\"shutter\": [0, 1], \"keys\": [{\"time\": 0}, {\"time\": 1, \"at\": [0, 0, 5]}]",
            ":2: /camera/keys/1/at: must differ from \"from\"");
+    expect("\"shutter\": [0, 1]", "\"shutter\": [0, 1], \"keys\": [{\"time\": 0.5}, {\"time\": 0.50000006, \"at\": [4, 0, 7]}]",
+           ":2: /camera/keys: the camera changes too much between its keys");
 }
 
 }  // namespace brandung

@@ -3,7 +3,7 @@
 
 #include "scene/compile.h"
 #include "scene/error.h"
-#include "tests/scene/formats/temporary_file.h"
+#include "tests/scene/formats/native_text.h"
 
 namespace brandung {
 namespace {
@@ -77,13 +77,7 @@ TEST(Groups, AnInstanceOfNothingIsLeftOutWithAWarning) {
 std::string error_of(const std::string &from, const std::string &to) {
     std::string changed = text;
     EXPECT_NE(changed.find(from), std::string::npos) << from;
-    const TemporaryFile file(changed.replace(changed.find(from), from.size(), to));
-    try {
-        read_scene(file.path);
-    } catch (const SceneError &error) {
-        return std::string(error.what()).substr(file.path.size());
-    }
-    return {};
+    return error_of_text(changed.replace(changed.find(from), from.size(), to));
 }
 
 TEST(Groups, ErrorsNameLineAndCause) {

@@ -5,13 +5,12 @@
 #include <random>
 
 #include "kernels/bsdfs/whitted.h"
-#include "scene/cameras/camera.h"
 #include "scene/error.h"
 #include "scene/filters/filter.h"
 #include "scene/formats/format.h"
 #include "scene/lights/light.h"
 #include "scene/tone.h"
-#include "tests/scene/formats/temporary_file.h"
+#include "tests/scene/formats/native_text.h"
 
 namespace brandung {
 namespace {
@@ -34,20 +33,6 @@ const char *const small_scene = R"({
 {"type": "sphere", "material": "grey", "center": [0, 0, 0], "radius": 1},
 {"type": "sphere", "material": "water", "center": [0, 0, 5], "radius": 1}]
 })";
-
-/// The error's text behind the file's name; empty if there is no error.
-std::string error_of(const std::string &text, const std::vector<std::string> &assignments = {}) {
-    const TemporaryFile file(text);
-    try {
-        read_scene(file.path, {assignments, {}, {}});
-    } catch (const SceneError &error) {
-        const std::string what = error.what();
-        EXPECT_EQ(what.substr(0, file.path.size()), file.path);
-        EXPECT_EQ(what.find('\n'), std::string::npos) << what;
-        return what.substr(file.path.size());
-    }
-    return {};
-}
 
 /// The small scene with `from` replaced by `to`.
 std::string changed(const std::string &from, const std::string &to) {
@@ -84,9 +69,9 @@ TEST(Native, ReadsEverySection) {
 }
 
 TEST(Native, TakesExposuresThatLeaveRadianceFinite) {
-    for (const char *exposure : {"100", "-100"}) EXPECT_EQ(error_of(small_scene, {std::string("film.exposure=") + exposure}), "") << exposure;
+    for (const char *exposure : {"100", "-100"}) EXPECT_EQ(error_of_text(small_scene, {std::string("film.exposure=") + exposure}), "") << exposure;
     for (const char *exposure : {"100.1", "-1e15"})
-        EXPECT_NE(error_of(small_scene, {std::string("film.exposure=") + exposure})
+        EXPECT_NE(error_of_text(small_scene, {std::string("film.exposure=") + exposure})
                       .find("/film/exposure (set on the command line): must be from -100 to 100"),
                   std::string::npos)
             << exposure;
@@ -168,8 +153,8 @@ TEST(Native, SetsValuesBeforeTheyAreInterpreted) {
     EXPECT_EQ(scene.film.spp, 64u);
     EXPECT_EQ(scene.integrator.threshold, 0.0f);
     EXPECT_EQ(view_of<PointLight>(scene.lights[0]).intensity, Spectrum(1, 2, 3));
-    EXPECT_EQ(error_of(small_scene, {"film.spp=0"}), ": /film/spp (set on the command line): must be a whole number from 1 to 16777216, got 0");
-    EXPECT_EQ(error_of(small_scene, {"film.sp=1"}), ": /film/sp (set on the command line): unknown key; is \"spp\" meant?");
+    EXPECT_EQ(error_of_text(small_scene, {"film.spp=0"}), ": /film/spp (set on the command line): must be a whole number from 1 to 16777216, got 0");
+    EXPECT_EQ(error_of_text(small_scene, {"film.sp=1"}), ": /film/sp (set on the command line): unknown key; is \"spp\" meant?");
 }
 
 TEST(Native, FiltersHaveRadiiOfTheirOwn) {
@@ -184,13 +169,13 @@ TEST(Native, FiltersHaveRadiiOfTheirOwn) {
     EXPECT_EQ(radius("mitchell"), 2.0f);
     EXPECT_EQ(radius("blackman_harris"), 1.5f);
     EXPECT_EQ(radius("gaussian", "film.filter_radius=2.5"), 2.5f);
-    EXPECT_EQ(error_of(small_scene, {"film.filter=lanczos"}),
+    EXPECT_EQ(error_of_text(small_scene, {"film.filter=lanczos"}),
               ": /film/filter (set on the command line): must be one of box, tent, gaussian, mitchell, blackman_harris, got \"lanczos\"");
-    EXPECT_EQ(error_of(small_scene, {"film.filter_radius=2"}),
+    EXPECT_EQ(error_of_text(small_scene, {"film.filter_radius=2"}),
               ": /film/filter_radius (set on the command line): the box is the pixel itself and takes no radius");
-    EXPECT_EQ(error_of(small_scene, {"film.filter=tent", "film.filter_radius=101"}),
+    EXPECT_EQ(error_of_text(small_scene, {"film.filter=tent", "film.filter_radius=101"}),
               ": /film/filter_radius (set on the command line): must be at most 100 pixels, got 101");
-    EXPECT_EQ(error_of(small_scene, {"film.filter=tent", "film.spp=1", "film.pixel=corner"}),
+    EXPECT_EQ(error_of_text(small_scene, {"film.filter=tent", "film.spp=1", "film.pixel=corner"}),
               ": /film/filter (set on the command line): pixels at corners take no filter but the box");
 }
 
@@ -200,7 +185,7 @@ TEST(Native, ReadsCropExposureAndTone) {
     EXPECT_TRUE(film.automatic_exposure);
     EXPECT_EQ(tone_kinds()[film.tone].name, std::string("filmic"));
     EXPECT_EQ(read_text(small_scene).film.window(), (Window{0, 0, 64, 48}));
-    const auto error = [](const std::string &setting) { return error_of(small_scene, {"film." + setting}); };
+    const auto error = [](const std::string &setting) { return error_of_text(small_scene, {"film." + setting}); };
     EXPECT_EQ(error("crop=[1,2,3]"), ": /film/crop (set on the command line): must be an array of 4 numbers, got one of 3");
     EXPECT_EQ(error("crop=[1,2,1,4]"), ": /film/crop (set on the command line): has no pixels: must be X0, Y0, X1, Y1 with X0 < X1 and Y0 < Y1");
     EXPECT_EQ(error("crop=[1,2,65,4]"), ": /film/crop (set on the command line): reaches beyond the picture of 64 x 48 pixels");
@@ -209,119 +194,63 @@ TEST(Native, ReadsCropExposureAndTone) {
 }
 
 TEST(Native, RefusesBadSettings) {
-    EXPECT_EQ(error_of(changed("64", "0")), ":2: /film/width: must be a whole number from 1 to 65535, got 0");
-    EXPECT_EQ(error_of(changed("48", "65536")), ":2: /film/height: must be a whole number from 1 to 65535, got 65536");
-    EXPECT_EQ(error_of(changed("\"random\"", "\"middle\"")), ":2: /film/pixel: must be one of corner, center, random, got \"middle\"");
-    EXPECT_EQ(error_of(changed("\"seed\"", "\"sead\"")), ":2: /film/sead: unknown key; is \"seed\" meant?");
-    EXPECT_EQ(error_of(changed("\"random\"", "\"corner\"")), ":2: /film/pixel: 'corner' takes one sample per pixel, not 4");
-    EXPECT_EQ(error_of(small_scene, {"film.pixel=corner"}), ": /film/pixel (set on the command line): 'corner' takes one sample per pixel, not 4");
-    EXPECT_EQ(error_of(changed("9,", "1001,")), ":3: /integrator/max_depth: must be a whole number from 1 to 1000, got 1001");
-    EXPECT_EQ(error_of(changed("\"none\"", "\"octopus\"")).substr(0, 38), ":4: /accelerator: must be one of auto,");
-    EXPECT_EQ(error_of(changed("\"ambient\"", "\"ambiant\"")), ":6: /ambiant: unknown key; is \"ambient\" meant?");
-    EXPECT_EQ(error_of(changed("0.25", "1e39")), ":6: /ambient: must be within the range of a float, got 1e+39");
-    EXPECT_EQ(error_of(changed("0.25", "1e400")).substr(0, 22), ":6: number overflow pa");
+    EXPECT_EQ(error_of_text(changed("64", "0")), ":2: /film/width: must be a whole number from 1 to 65535, got 0");
+    EXPECT_EQ(error_of_text(changed("48", "65536")), ":2: /film/height: must be a whole number from 1 to 65535, got 65536");
+    EXPECT_EQ(error_of_text(changed("\"random\"", "\"middle\"")), ":2: /film/pixel: must be one of corner, center, random, got \"middle\"");
+    EXPECT_EQ(error_of_text(changed("\"seed\"", "\"sead\"")), ":2: /film/sead: unknown key; is \"seed\" meant?");
+    EXPECT_EQ(error_of_text(changed("\"random\"", "\"corner\"")), ":2: /film/pixel: 'corner' takes one sample per pixel, not 4");
+    EXPECT_EQ(error_of_text(small_scene, {"film.pixel=corner"}),
+              ": /film/pixel (set on the command line): 'corner' takes one sample per pixel, not 4");
+    EXPECT_EQ(error_of_text(changed("9,", "1001,")), ":3: /integrator/max_depth: must be a whole number from 1 to 1000, got 1001");
+    EXPECT_EQ(error_of_text(changed("\"none\"", "\"octopus\"")).substr(0, 38), ":4: /accelerator: must be one of auto,");
+    EXPECT_EQ(error_of_text(changed("\"ambient\"", "\"ambiant\"")), ":6: /ambiant: unknown key; is \"ambient\" meant?");
+    EXPECT_EQ(error_of_text(changed("0.25", "1e39")), ":6: /ambient: must be within the range of a float, got 1e+39");
+    EXPECT_EQ(error_of_text(changed("0.25", "1e400")).substr(0, 22), ":6: number overflow pa");
 }
 
 TEST(Native, RefusesBadCameras) {
-    EXPECT_EQ(error_of("{}"), ":1: needs either \"camera\" or \"cameras\"");
-    EXPECT_EQ(error_of("{}", {"film.width=32"}), ":1: needs either \"camera\" or \"cameras\"") << "no fault of the setting";
-    EXPECT_EQ(error_of(R"({"cameras": []})"), ":1: /cameras: must not be empty");
-    EXPECT_EQ(error_of("{\"camera\": {},\n\"cameras\": []}"),
+    EXPECT_EQ(error_of_text("{}"), ":1: needs either \"camera\" or \"cameras\"");
+    EXPECT_EQ(error_of_text("{}", {"film.width=32"}), ":1: needs either \"camera\" or \"cameras\"") << "no fault of the setting";
+    EXPECT_EQ(error_of_text(R"({"cameras": []})"), ":1: /cameras: must not be empty");
+    EXPECT_EQ(error_of_text("{\"camera\": {},\n\"cameras\": []}"),
               ":2: /cameras: the scene has both \"camera\" and \"cameras\", but needs only one of them");
-    EXPECT_EQ(error_of(changed("[0, 0, 0], \"up\"", "[0, 0, 5], \"up\"")), ":7: /camera/at: must differ from \"from\"");
-    EXPECT_EQ(error_of(changed("[0, 2, 0]", "[0, 0, -2]")), ":7: /camera/up: must not be parallel to the view from \"from\" to \"at\"");
-    EXPECT_EQ(error_of(changed("[0, 2, 0]", "[0, 0, 0]")), ":7: /camera/up: must not be zero");
-    EXPECT_EQ(error_of(changed("90", "180")), ":7: /camera/fov: must be below 180 degrees, got 180");
-    EXPECT_EQ(error_of(changed("90", "0")), ":7: /camera/fov: must be positive, got 0");
-    EXPECT_EQ(error_of(changed("[\"water\"]", "[\"wine\"]")), ":7: /camera/inside: there is no material \"wine\"; transparent: water");
-    EXPECT_EQ(error_of(changed("[\"water\"]", "[\"grey\"]")), ":7: /camera/inside: material \"grey\" is not transparent; transparent: water");
+    EXPECT_EQ(error_of_text(changed("[0, 0, 0], \"up\"", "[0, 0, 5], \"up\"")), ":7: /camera/at: must differ from \"from\"");
+    EXPECT_EQ(error_of_text(changed("[0, 2, 0]", "[0, 0, -2]")), ":7: /camera/up: must not be parallel to the view from \"from\" to \"at\"");
+    EXPECT_EQ(error_of_text(changed("[0, 2, 0]", "[0, 0, 0]")), ":7: /camera/up: must not be zero");
+    EXPECT_EQ(error_of_text(changed("90", "180")), ":7: /camera/fov: must be below 180 degrees, got 180");
+    EXPECT_EQ(error_of_text(changed("90", "0")), ":7: /camera/fov: must be positive, got 0");
+    EXPECT_EQ(error_of_text(changed("[\"water\"]", "[\"wine\"]")), ":7: /camera/inside: there is no material \"wine\"; transparent: water");
+    EXPECT_EQ(error_of_text(changed("[\"water\"]", "[\"grey\"]")), ":7: /camera/inside: material \"grey\" is not transparent; transparent: water");
     EXPECT_EQ(
-        error_of(
+        error_of_text(
             "{\"cameras\": [{\"name\": \"a\", \"from\": [1, 0, 0], \"at\": [0, 0, 0]},\n{\"name\": \"a\", \"from\": [1, 0, 0], \"at\": [0, 0, 0]}]}"),
         ":2: /cameras/1/name: \"a\" is the name of an earlier one");
 }
 
-namespace {
-
-/// Of the only camera, with these members beside where it looks.
-CameraDescription camera_with(const std::string &members) {
-    return read_text(R"({"camera": {"from": [0, 0, 5], "at": [0, 0, 0], )" + members + "}}").cameras.at(0);
-}
-std::string error_of_camera(const std::string &members) {
-    return error_of("{\"camera\": {\"from\": [0, 0, 5], \"at\": [0, 0, 0],\n" + members + "}}");
-}
-
-}  // namespace
-
-TEST(Native, ReadsCamerasOfEveryKind) {
-    const CameraDescription orthographic = camera_with(R"("type": "orthographic", "height": 3)");
-    EXPECT_EQ(camera_kinds()[orthographic.kind].name, std::string("orthographic"));
-    EXPECT_EQ(orthographic.height, 3);
-    const CameraDescription lens =
-        camera_with(R"("type": "thin_lens", "fov": 30, "lens_radius": 0.1, "focus_at": [1, 2, 3], "blades": 6, "blade_rotation": 15)");
-    EXPECT_FLOAT_EQ(lens.fov, glm::radians(30.0f));
-    EXPECT_EQ(lens.lens.radius, 0.1f);
-    EXPECT_EQ(lens.lens.focus_at, vec3(1, 2, 3));
-    EXPECT_EQ(lens.lens.blades, 6u);
-    EXPECT_EQ(lens.lens.blade_rotation, 15);
-    EXPECT_EQ(camera_with(R"("type": "thin_lens", "lens_radius": 0.1, "focus_distance": 4)").lens.focus_distance, 4);
-    const CameraDescription panorama = camera_with(R"("type": "panorama", "horizontal_fov": 90)");
-    EXPECT_FLOAT_EQ(panorama.fov, glm::radians(180.0f));
-    EXPECT_FLOAT_EQ(panorama.horizontal_fov, glm::radians(90.0f));
-    const CameraDescription fisheye = camera_with(R"("type": "fisheye", "fov": 360, "mapping": "equisolid")");
-    EXPECT_FLOAT_EQ(fisheye.fov, glm::radians(360.0f));
-    EXPECT_TRUE(fisheye.equisolid);
-}
-
-TEST(Native, RefusesWhatAKindOfCameraCannotBe) {
-    EXPECT_EQ(error_of_camera(R"("type": "pinhole")"),
-              ":2: /camera/type: must be one of perspective, orthographic, thin_lens, panorama, fisheye, got \"pinhole\"");
-    EXPECT_EQ(error_of_camera(R"("lens_radius": 1)"),
-              ":2: /camera/lens_radius: unknown key; known here: inside, keys, name, at, from, shutter, up, fov, type");
-    EXPECT_EQ(error_of_camera(R"("type": "orthographic")"), ":1: /camera: \"height\" is missing");
-    EXPECT_EQ(error_of_camera(R"("type": "orthographic", "height": 0)"), ":2: /camera/height: must be positive, got 0");
-    EXPECT_EQ(error_of_camera(R"("type": "orthographic", "height": 1, "fov": 40)"), ":2: /camera/fov: unknown key; is \"from\" meant?");
-    const std::string lens = R"("type": "thin_lens", "lens_radius": 1)";
-    EXPECT_EQ(error_of_camera(R"("type": "thin_lens", "focus_distance": 1)"), ":1: /camera: \"lens_radius\" is missing");
-    EXPECT_EQ(error_of_camera(lens), ":1: /camera: needs either \"focus_distance\" or \"focus_at\"");
-    EXPECT_EQ(error_of_camera(lens + R"(, "focus_distance": 1, "focus_at": [0, 0, 0])"),
-              ":2: /camera/focus_at: the camera has both \"focus_distance\" and \"focus_at\", but needs only one of them");
-    EXPECT_EQ(error_of_camera(lens + R"(, "focus_distance": -1)"), ":2: /camera/focus_distance: must be positive, got -1");
-    EXPECT_EQ(error_of_camera(lens + R"(, "focus_at": [1, 1, 5])"), ":2: /camera/focus_at: must lie in front of the eye");
-    EXPECT_EQ(error_of_camera(lens + R"(, "focus_distance": 1, "blades": 2)"), ":2: /camera/blades: must be 0, or at least 3, got 2");
-    EXPECT_EQ(error_of_camera(lens + R"(, "focus_distance": 1, "blade_rotation": 2)"),
-              ":2: /camera/blade_rotation: the aperture is round, it has no \"blades\"");
-    EXPECT_EQ(error_of_camera(lens + R"(, "focus_distance": 1, "fov": 180)"), ":2: /camera/fov: must be below 180 degrees, got 180");
-    EXPECT_EQ(error_of_camera(R"("type": "panorama", "fov": 181)"), ":2: /camera/fov: must be at most 180 degrees, got 181");
-    EXPECT_EQ(error_of_camera(R"("type": "panorama", "horizontal_fov": 361)"), ":2: /camera/horizontal_fov: must be at most 360 degrees, got 361");
-    EXPECT_EQ(error_of_camera(R"("type": "fisheye", "fov": 361)"), ":2: /camera/fov: must be at most 360 degrees, got 361");
-    EXPECT_EQ(error_of_camera(R"("type": "fisheye", "mapping": "flat")"), ":2: /camera/mapping: must be one of equidistant, equisolid, got \"flat\"");
-}
-
 TEST(Native, RefusesBadMaterials) {
-    EXPECT_EQ(error_of(changed("\"grey\", \"type\"", "\"water\", \"type\"")), ":10: /materials/1/name: \"water\" is the name of an earlier one");
-    EXPECT_EQ(error_of(changed("\"whitted\", \"diffuse\"", "\"glass\", \"diffuse\"")),
+    EXPECT_EQ(error_of_text(changed("\"grey\", \"type\"", "\"water\", \"type\"")), ":10: /materials/1/name: \"water\" is the name of an earlier one");
+    EXPECT_EQ(error_of_text(changed("\"whitted\", \"diffuse\"", "\"glass\", \"diffuse\"")),
               ":9: /materials/0/type: must be one of whitted, diffuse, conductor, plastic, phong, dielectric, thin_dielectric, null, mix, two_sided, "
               "mask, got \"glass\"");
-    EXPECT_EQ(error_of(changed(", \"type\": \"whitted\"}", "}")), ":10: /materials/1: \"type\" is missing");
-    EXPECT_EQ(error_of(changed("1.33", "0")), ":9: /materials/0/eta: must be positive, got 0");
-    EXPECT_EQ(error_of(changed("\"transmission\": 1", "\"transmission\": 1.5")), ":9: /materials/0/transmission: must be at most 1, got 1.5");
-    EXPECT_EQ(error_of(changed("\"priority\": 3", "\"priority\": 16777217")),
+    EXPECT_EQ(error_of_text(changed(", \"type\": \"whitted\"}", "}")), ":10: /materials/1: \"type\" is missing");
+    EXPECT_EQ(error_of_text(changed("1.33", "0")), ":9: /materials/0/eta: must be positive, got 0");
+    EXPECT_EQ(error_of_text(changed("\"transmission\": 1", "\"transmission\": 1.5")), ":9: /materials/0/transmission: must be at most 1, got 1.5");
+    EXPECT_EQ(error_of_text(changed("\"priority\": 3", "\"priority\": 16777217")),
               ":9: /materials/0/priority: must be a whole number from 0 to 16777216, got 16777217");
 }
 
 TEST(Native, RefusesBadLights) {
-    EXPECT_EQ(error_of(changed("\"intensity\": 10", "\"intensity\": -10")), ":12: /lights/0/intensity: must be not negative, got -10");
-    EXPECT_EQ(error_of(changed("\"intensity\": 10", "\"intensity\": 1, \"attenuation\": [0, 0, 0]")),
+    EXPECT_EQ(error_of_text(changed("\"intensity\": 10", "\"intensity\": -10")), ":12: /lights/0/intensity: must be not negative, got -10");
+    EXPECT_EQ(error_of_text(changed("\"intensity\": 10", "\"intensity\": 1, \"attenuation\": [0, 0, 0]")),
               ":12: /lights/0/attenuation: must not be all zero, the intensity is divided by it");
-    EXPECT_EQ(error_of(changed("\"intensity\": 10", "\"intensity\": 1, \"attenuation\": [0, -1, 1]")),
+    EXPECT_EQ(error_of_text(changed("\"intensity\": 10", "\"intensity\": 1, \"attenuation\": [0, -1, 1]")),
               ":12: /lights/0/attenuation: must not have negative parts");
-    EXPECT_EQ(error_of(changed("[0, -2, 0]", "[0, 0, 0]")), ":13: /lights/1/direction: must not be zero");
+    EXPECT_EQ(error_of_text(changed("[0, -2, 0]", "[0, 0, 0]")), ":13: /lights/1/direction: must not be zero");
 }
 
 TEST(Native, RefusesBadSpotLights) {
     const auto spot_error = [](const std::string &keys) {
-        return error_of(changed("\"type\": \"point\", \"position\": [1, 2, 3]", "\"type\": \"spot\", \"position\": [1, 2, 3]" + keys));
+        return error_of_text(changed("\"type\": \"point\", \"position\": [1, 2, 3]", "\"type\": \"spot\", \"position\": [1, 2, 3]" + keys));
     };
     EXPECT_EQ(spot_error(""), ":12: /lights/0: needs either \"direction\" or \"at\"");
     EXPECT_EQ(spot_error(R"(, "at": [0, 0, 0], "direction": [0, 0, 1])"), ":12: /lights/0/at: needs either \"direction\" or \"at\"");
@@ -333,28 +262,28 @@ TEST(Native, RefusesBadSpotLights) {
 }
 
 TEST(Native, RefusesBadObjects) {
-    EXPECT_EQ(error_of(changed("\"material\": \"grey\"", "\"material\": \"gray\"")),
+    EXPECT_EQ(error_of_text(changed("\"material\": \"grey\"", "\"material\": \"gray\"")),
               ":15: /objects/0/material: must be one of water, grey, got \"gray\"");
-    EXPECT_EQ(error_of(changed("{\"type\": \"sphere\", \"material\": \"grey\"", "{\"type\": \"cube\", \"material\": \"grey\"")).substr(0, 37),
+    EXPECT_EQ(error_of_text(changed("{\"type\": \"sphere\", \"material\": \"grey\"", "{\"type\": \"cube\", \"material\": \"grey\"")).substr(0, 37),
               ":15: /objects/0/type: must be one of ");
-    EXPECT_EQ(error_of(changed("\"radius\": 1},", "\"radius\": -1},")), ":15: /objects/0/radius: must be not negative, got -1");
-    EXPECT_EQ(error_of(changed("\"radius\": 1},", "\"radios\": 1},")), ":15: /objects/0: \"radius\" is missing; \"radios\" is unknown");
-    EXPECT_EQ(error_of(changed("\"radius\": 1},", "\"radius\": 1, \"colour\": 1},")).substr(0, 51),
+    EXPECT_EQ(error_of_text(changed("\"radius\": 1},", "\"radius\": -1},")), ":15: /objects/0/radius: must be not negative, got -1");
+    EXPECT_EQ(error_of_text(changed("\"radius\": 1},", "\"radios\": 1},")), ":15: /objects/0: \"radius\" is missing; \"radios\" is unknown");
+    EXPECT_EQ(error_of_text(changed("\"radius\": 1},", "\"radius\": 1, \"colour\": 1},")).substr(0, 51),
               ":15: /objects/0/colour: unknown key; known here: ce");
-    EXPECT_EQ(error_of(changed("\"center\": [0, 0, 0]", "\"center\": [0, 1e16, 0]")).substr(0, 39), ":15: /objects/0/center/1: must be at mo");
+    EXPECT_EQ(error_of_text(changed("\"center\": [0, 0, 0]", "\"center\": [0, 1e16, 0]")).substr(0, 39), ":15: /objects/0/center/1: must be at mo");
     EXPECT_EQ(
-        error_of(
+        error_of_text(
             R"({"camera": {"from": [0, 0, 1], "at": [0, 0, 0]}, "objects": [{"type": "sphere", "material": "grey", "center": [0, 0, 0], "radius": 1}]})"),
         ":1: /objects/0/material: the scene has no materials");
 }
 
 TEST(Native, RefusesWhatIsNoScene) {
-    EXPECT_EQ(error_of(""), ": is empty");
-    EXPECT_EQ(error_of("[1, 2]", {"film.width=32"}), ":1: must be an object, got an array of 2");
-    for (const char *text : {"null", "3", "\"scene\"", "[]", " ", "{", "}", "\xff\xfe", "\xef\xbb\xbf"}) EXPECT_NE(error_of(text), "") << text;
+    EXPECT_EQ(error_of_text(""), ": is empty");
+    EXPECT_EQ(error_of_text("[1, 2]", {"film.width=32"}), ":1: must be an object, got an array of 2");
+    for (const char *text : {"null", "3", "\"scene\"", "[]", " ", "{", "}", "\xff\xfe", "\xef\xbb\xbf"}) EXPECT_NE(error_of_text(text), "") << text;
     for (const char *key : {"film", "integrator", "accelerator", "accelerator_quality", "background", "ambient", "camera", "cameras", "materials",
                             "lights", "objects"}) {
-        const std::string error = error_of(std::string("{\n\"") + key + "\": false}");
+        const std::string error = error_of_text(std::string("{\n\"") + key + "\": false}");
         EXPECT_EQ(error.substr(0, 5 + std::strlen(key)), std::string(":2: /") + key) << error;
     }
 }
@@ -392,7 +321,7 @@ TEST(Native, WarnsOfPolygonsThatAreNotFlat) {
 
 TEST(Native, EveryTruncationIsRefused) {
     const std::string text = small_scene;
-    for (std::size_t size = 0; size < text.size(); ++size) EXPECT_NE(error_of(text.substr(0, size)), "") << size;
+    for (std::size_t size = 0; size < text.size(); ++size) EXPECT_NE(error_of_text(text.substr(0, size)), "") << size;
 }
 
 TEST(Native, NoChangedByteCrashes) {
@@ -400,7 +329,7 @@ TEST(Native, NoChangedByteCrashes) {
     for (int i = 0; i < 2000; ++i) {
         std::string text = small_scene;
         for (int changes = 0; changes <= i % 3; ++changes) text[random() % text.size()] = static_cast<char>(random());
-        error_of(text);
+        error_of_text(text);
     }
 }
 
