@@ -24,7 +24,7 @@ enum class Kinds { in_use, all };
 struct CompiledScene {
     SceneHeader header{};
     std::vector<std::byte> arena;
-    std::vector<std::uint16_t> texels;              ///< of textures in use
+    std::vector<Texel> texels;                      ///< of textures in use
     std::vector<const PrimitiveKind *> primitives;  ///< kinds in use; a kind's place is its number on the device
     std::vector<uint> bsdfs, lights;                ///< kinds in use: places in bsdf_kinds() and light_kinds(), which are their numbers
     uint filter = 0, sampler = 0;                   ///< in use: their places in filter_kinds() and sampler_kinds()

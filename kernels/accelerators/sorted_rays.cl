@@ -14,14 +14,6 @@ typedef struct {
     uint ends[3];                 ///< of each axis's rays
 } SortedRays;
 
-/// The part of a list of `count` that this work-item sorts: empty but for one of CHUNKS_PER_SORT.
-FUNCTION Chunk sorted_chunk(uint count) {
-    Chunk chunk;
-    chunk.begin = get_global_id(0) * ITEMS_PER_CHUNK;
-    chunk.items = get_global_id(0) % CHUNKS_PER_SORT == 0u && chunk.begin < count ? min(count - chunk.begin, RAYS_PER_SORT) : 0u;
-    return chunk;
-}
-
 FUNCTION void sort_rays(const global Ray *rays, const global uint *list, Chunk chunk, SortedRays *sorted) {
     uchar axes[RAYS_PER_SORT];
     uint next[3] = {0u, 0u, 0u};

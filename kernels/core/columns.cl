@@ -45,6 +45,17 @@ FUNCTION void fetch_columns(const global void *records, uint words, const uint *
 #endif
 }
 
+/// A vector for each item of a chunk.
+typedef struct {
+    float x[ITEMS_PER_WORK_ITEM], y[ITEMS_PER_WORK_ITEM], z[ITEMS_PER_WORK_ITEM];
+} Vec3Columns;
+
+FUNCTION vec3 column_vec3(const Vec3Columns *columns, uint c) { return make3(columns->x[c], columns->y[c], columns->z[c]); }
+FUNCTION void store_column(Vec3Columns *columns, uint c, vec3 v) { columns->x[c] = v.x, columns->y[c] = v.y, columns->z[c] = v.z; }
+FUNCTION void fill_columns(Vec3Columns *columns, vec3 v) {
+    for (uint c = 0u; c < ITEMS_PER_WORK_ITEM; ++c) store_column(columns, c, v);
+}
+
 FUNCTION float column_float(const Columns *columns, uint word, uint c) { return columns->words[word][c]; }
 FUNCTION uint column_word(const Columns *columns, uint word, uint c) { return as_uint(columns->words[word][c]); }
 FUNCTION vec3 column_vec3(const Columns *columns, uint word, uint c) {

@@ -6,18 +6,22 @@
 // PoCL says so of loops that a later pass does vectorise.
 #pragma clang diagnostic ignored "-Wpass-failed"
 #define ITEMS_PER_WORK_ITEM ITEMS_PER_CHUNK
+#define SIXTEEN_WIDE _Pragma("clang loop vectorize(assume_safety) vectorize_width(16)")
 /// One chunk of items that the compiler makes 16 wide. The body must be flat, and no two items of a chunk may write one address.
 #define FOR_EACH_ITEM(i, count)                                            \
     const uint first_item_ = get_global_id(0) * ITEMS_PER_WORK_ITEM;       \
     const uint last_item_ = min(first_item_ + ITEMS_PER_WORK_ITEM, count); \
-    _Pragma("clang loop vectorize(assume_safety) vectorize_width(16)") for (uint i = first_item_; i < last_item_; ++i)
+    SIXTEEN_WIDE for (uint i = first_item_; i < last_item_; ++i)
 /// All lanes compute every kind and select.
 #define ONLY_IF(condition)
 #else
 #define ITEMS_PER_WORK_ITEM 1u
+#define SIXTEEN_WIDE
 #define FOR_EACH_ITEM(i, count) for (uint i = get_global_id(0); i < count; i = count)
 #define ONLY_IF(condition) if (condition)
 #endif
+/// The columns of a chunk that has all its items: what no item has left in a column is computed too, and not used.
+#define FOR_EACH_COLUMN(c) SIXTEEN_WIDE for (uint c = 0u; c < ITEMS_PER_WORK_ITEM; ++c)
 /// The same chunk, one item after another: for divergent work and for sums into shared places.
 #define FOR_EACH_ITEM_SERIALLY(i, count) \
     for (uint i = get_global_id(0) * ITEMS_PER_WORK_ITEM; i < min((uint)(get_global_id(0) + 1u) * ITEMS_PER_WORK_ITEM, count); ++i)
@@ -32,4 +36,12 @@ FUNCTION Chunk chunk_of(uint count) {
     chunk.begin = get_global_id(0) * ITEMS_PER_WORK_ITEM;
     chunk.items = chunk.begin < count ? min(count - chunk.begin, ITEMS_PER_WORK_ITEM) : 0u;
     return chunk;
+}
+
+/// Of a list, the part that this work-item has where one of every `chunks` has all their items, and the others none.
+FUNCTION Chunk chunks_of(uint count, uint chunks) {
+    Chunk all;
+    all.begin = get_global_id(0) * ITEMS_PER_CHUNK;
+    all.items = get_global_id(0) % chunks == 0u && all.begin < count ? min(count - all.begin, chunks * ITEMS_PER_CHUNK) : 0u;
+    return all;
 }

@@ -1,11 +1,12 @@
 // Access to the scene's arena.
 #pragma once
 #include "kernels/core/scene.h"
+#include "kernels/textures/texture.h"
 
 typedef struct {
     const global SceneHeader *header;
     const global uchar *arena;
-    const global ushort *texels;  ///< where a kernel has them, else 0
+    const global Texel *texels;  ///< where a kernel has them, else 0
 } Scene;
 #define SCENE_PARAMS const global SceneHeader *restrict scene_header, const global uchar *restrict scene_arena
 #define SCENE ((Scene){scene_header, scene_arena, 0})

@@ -66,9 +66,10 @@ typedef struct {
     Span light_choices;     ///< LightChoice by light, for paths
     float emission_chance;  ///< density by area of paths' points on emissive shapes, in their spaces, over their mean radiance; 0: none are chosen
     Span textures;          ///< TextureRecord
-    Span environment_rows, environment_cells;  ///< EnvironmentRow, EnvironmentCell, if paths ask for light of the background
-    uint environment_columns;                  ///< cells per row
-    float environment_density;                 ///< mean density with which they ask for a direction [1/sr]
+    // If paths ask for light of the background: EnvironmentRow, and of each row where its cells begin, and those of them that are marks.
+    Span environment_rows, environment_begins, environment_marks;
+    uint environment_row_count, environment_columns;  ///< cells per column and row
+    float environment_density;                        ///< mean density with which they ask for a direction [1/sr]
     Spectrum background, ambient;
     uint background_texture;  ///< number + 1 of the picture that the background is multiplied by; 0: none
     float background_turn;    ///< by which the picture is turned about the y axis [turns]

@@ -59,13 +59,25 @@ FUNCTION bool is_beyond_bundles(const global Material *materials, const global S
     return true;
 }
 
-/// Adds light where it is visible, from the second of so many rows on, to the items' sums.
-FUNCTION void add_further_rows(uint count, uint rows, uint stride, const global uchar *visible, const global Spectrum *light, global Spectrum *sums) {
-    for (uint row = 1u; row < rows; ++row) {
+/// What items have asked for in so many rows, where it is visible: 0 of none.
+FUNCTION void add_asked_light(uint count, uint rows, uint stride, const global uchar *visible, const global Spectrum *light, global Spectrum *sums) {
+    const Spectrum black = make3(0.0f, 0.0f, 0.0f);
+    if (!LIGHTS || rows == 0u) {
+        FOR_EACH_ITEM(i, count) {
+            sums[i] = black;
+        }
+        return;
+    }
+    {
+        FOR_EACH_ITEM(i, count) {
+            sums[i] = where(visible[i] != 0, load(light + i), black);
+        }
+    }
+    for (uint row = 1u; BUNDLES && row < rows; ++row) {
         const global Spectrum *row_light = light + row * stride;
         const global uchar *row_visible = visible + row * stride;
         FOR_EACH_ITEM(i, count) {
-            sums[i] = plus(sums[i], where(row_visible[i] != 0, load(row_light + i), make3(0.0f, 0.0f, 0.0f)));
+            sums[i] = plus(sums[i], where(row_visible[i] != 0, load(row_light + i), black));
         }
     }
 }

@@ -31,7 +31,7 @@ FUNCTION uint member_at(Scene scene, uint number, Ray ray, uint branch, PlacedHi
 
 /// chosen[i] is the material of hits[i] of ray live[first + i], a function of the way that the ray has come; 0 after a miss. etas[i], where scenes
 /// have transparent materials, becomes the ratio of indices with it.
-kernel void choose_materials(SCENE_PARAMS, const global ushort *restrict scene_texels, LIVE_PARAMS, const global Ray *restrict rays,
+kernel void choose_materials(SCENE_PARAMS, const global Texel *restrict scene_texels, LIVE_PARAMS, const global Ray *restrict rays,
                              const global Path *restrict paths, const global Hit *restrict hits, const global uint *restrict instances,
                              global float *restrict etas, global uint *restrict chosen) {
     const Scene scene = SCENE_WITH_TEXELS;

@@ -10,7 +10,7 @@ kernel void intersect_rows(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict
     const float extent = scene.header->world.extent;
     Tally tally = {{0u}, {0u}};
     SortedRays sorted;
-    sort_rays(rays, live + first, sorted_chunk(count), &sorted);
+    sort_rays(rays, live + first, chunks_of(count, CHUNKS_PER_SORT), &sorted);
     FOR_EACH_SORTED_ROW(&sorted, axis, begin, rays_here) {
         const Row row = sorted_row(rays, &sorted, begin, rays_here);
         TracedRow traced = traced_row(&row, axis, extent);

@@ -2,27 +2,57 @@
 #include "generated/instances.cl"
 #include "kernels/core/load.cl"
 #include "kernels/primitives/primitive.cl"
-#include "kernels/textures/panorama.cl"
 #include "kernels/textures/numbered.cl"
+#include "kernels/textures/panorama.cl"
+
+FUNCTION Tints white() {
+    const Tints tints = {{1.0f, 1.0f, 1.0f}, {1.0f, 1.0f, 1.0f}};
+    return tints;
+}
+
+/// Of the chunk's rays that have met nothing, if there are any, the colour of the picture all around; of all others white.
+FUNCTION void look_around(Scene scene, const global uint *list, uint count, const global Ray *rays, const global Hit *hits, global Tints *tints) {
+    const Chunk chunk = chunk_of(count);
+    bool any = false;
+    for (uint i = chunk.begin; i < chunk.begin + chunk.items; ++i) any |= hits[i].primitive == NO_HIT;
+    if (!any || scene.header->background_texture == 0u) {
+        FOR_EACH_ITEM(i, count) {
+            tints[i] = white();
+        }
+        return;
+    }
+    const TextureRecord picture = SCENE_ARRAY(scene, TextureRecord, textures)[scene.header->background_texture - 1u];
+    FOR_EACH_ITEM(i, count) {
+        const Ray ray = load(rays + list[i]);
+        const Hit hit = load(hits + i);
+        const bool is_miss = (hit.primitive == NO_HIT) | (hit.t != hit.t);  // reads the whole record: see SurfacePoint
+        const Spectrum color = texture_color(scene.texels, picture, panorama_place(ray.direction, scene.header->background_turn));
+        Tints result = white();
+        result.diffuse = where(is_miss, color, result.diffuse);
+        tints[i] = result;
+    }
+}
+
+FUNCTION Tints tints_of_hit(Scene scene, const global Material *material, Ray ray, Hit hit, Placement place) {
+    const Ray inner = ray_in_group(scene, place, ray);
+    const Pattern pattern = primitive_pattern(scene, SCENE_ARRAY(scene, ShadingRecord, shading)[hit.primitive], inner, hit);
+    Tints tints;
+    tints.diffuse = times(pattern.color, color_of(scene, material->diffuse_texture, pattern.uv));
+    tints.specular = color_of(scene, material->specular_texture, pattern.uv);
+    return tints;
+}
 
 /// tints[i] belongs to ray live[first + i] and its hit, which is in instance instances[i] where scenes have some.
-kernel void look_up_textures(SCENE_PARAMS, const global ushort *restrict scene_texels, LIVE_PARAMS, const global Ray *restrict rays,
+kernel void look_up_textures(SCENE_PARAMS, const global Texel *restrict scene_texels, LIVE_PARAMS, const global Ray *restrict rays,
                              const global Hit *restrict hits, const global uint *restrict instances, const global SurfacePoint *restrict points,
                              global Tints *restrict tints) {
     const Scene scene = SCENE_WITH_TEXELS;
+    const bool has_vertex_colors = scene.header->vertex_colors.count > 0u;
+    look_around(scene, live + first, count, rays, hits, tints);
     FOR_EACH_ITEM_SERIALLY(i, count) {
-        const Ray ray = rays[live[first + i]];
-        const Hit hit = hits[i];
-        Tints result = {{1.0f, 1.0f, 1.0f}, {1.0f, 1.0f, 1.0f}};
-        if (hit.primitive == NO_HIT) {
-            result.diffuse = color_of(scene, scene.header->background_texture, panorama_place(ray.direction, scene.header->background_turn));
-        } else {
-            const Ray inner = ray_in_group(scene, instance_at(instances, i), ray);
-            const Pattern pattern = primitive_pattern(scene, SCENE_ARRAY(scene, ShadingRecord, shading)[hit.primitive], inner, hit);
-            const global Material *material = SCENE_ARRAY(scene, Material, materials) + points[i].material;
-            result.diffuse = times(pattern.color, color_of(scene, material->diffuse_texture, pattern.uv));
-            result.specular = color_of(scene, material->specular_texture, pattern.uv);
-        }
-        tints[i] = result;
+        const global Material *material = SCENE_ARRAY(scene, Material, materials) + points[i].material;
+        const bool has_pictures = (material->diffuse_texture | material->specular_texture) != 0u;
+        if (hits[i].primitive == NO_HIT || !(has_pictures | has_vertex_colors)) continue;
+        tints[i] = tints_of_hit(scene, material, rays[live[first + i]], hits[i], instance_at(instances, i));
     }
 }

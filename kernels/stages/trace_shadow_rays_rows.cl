@@ -11,7 +11,7 @@ kernel void trace_shadow_rays_rows(SCENE_PARAMS, const global uint *restrict liv
     const uint line = get_global_id(1);
     Tally tally = {{0u}, {0u}};
     SortedRays sorted;
-    sort_rays(rays, live + line * stride, sorted_chunk(counts[line]), &sorted);
+    sort_rays(rays, live + line * stride, chunks_of(counts[line], CHUNKS_PER_SORT), &sorted);
     FOR_EACH_SORTED_ROW(&sorted, axis, begin, rays_here) {
         const Row row = sorted_row(rays, &sorted, begin, rays_here);
         TracedRow traced = traced_row(&row, axis, scene.header->world.extent);

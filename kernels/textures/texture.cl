@@ -6,9 +6,9 @@
 /// A half float that is finite and not negative.
 FUNCTION float float_of_half(uint bits) { return as_float(bits << 13) * 0x1p112f; }
 
-FUNCTION Spectrum texel(const global ushort *texels, TextureRecord texture, uint column, uint row) {
-    const global ushort *at = texels + 3ul * (texture.offset + (ulong)row * texture.width + column);
-    return make3(float_of_half(at[0]), float_of_half(at[1]), float_of_half(at[2]));
+FUNCTION Spectrum texel(const global Texel *texels, TextureRecord texture, uint column, uint row) {
+    const global Texel *at = texels + (texture.offset + (ulong)row * texture.width + column);
+    return make3(float_of_half(at->red_green & 0xffffu), float_of_half(at->red_green >> 16), float_of_half(at->blue));
 }
 
 /// Two neighbours along one axis, and the weight of the second.
@@ -32,7 +32,7 @@ FUNCTION TexelPair texel_pair(float x, uint count, bool clamps) {
 FUNCTION Spectrum mixed(Spectrum a, Spectrum b, float weight_of_b) { return plus(scaled(a, 1.0f - weight_of_b), scaled(b, weight_of_b)); }
 
 /// The picture's colour at (u, v): u grows to the right, v upwards, the picture lies in [0, 1]^2. Bilinear.
-FUNCTION Spectrum texture_color(const global ushort *texels, TextureRecord texture, vec2 uv) {
+FUNCTION Spectrum texture_color(const global Texel *texels, TextureRecord texture, vec2 uv) {
     const TexelPair column = texel_pair(uv.x, texture.width, (texture.flags & TEXTURE_CLAMPS_U) != 0u);
     const TexelPair row = texel_pair(1.0f - uv.y, texture.height, (texture.flags & TEXTURE_CLAMPS_V) != 0u);
     const Spectrum above = mixed(texel(texels, texture, column.first, row.first), texel(texels, texture, column.second, row.first), column.weight);

@@ -37,6 +37,12 @@ struct Choices {
     Buffer<uint> chosen;  ///< the material of each hit
 };
 
+/// Where paths meet surfaces of several kinds.
+struct Grouping {
+    explicit Grouping(const IntegratorJob &job) : group(job.device, "kernels/stages/group_hits.cl", "group_hits", job.on_device.lists()) {}
+    Kernel group;
+};
+
 /// Colours of pictures and vertices: only where the scene has some.
 struct Pictures {
     explicit Pictures(const IntegratorJob &job)

@@ -26,6 +26,7 @@ Surfaces::Surfaces(const IntegratorJob &job, bool bounces, std::size_t tallies)
     if (bounces) intersect_apart_.emplace(tracing_kernel(job, false, &Traversal::closest_hit));
     if (job.compiled.transmits) media.emplace(job);
     if (job.compiled.chooses) choices.emplace(job);
+    if (job.compiled.paths && job.compiled.bsdfs.size() > 1) grouping.emplace(job);
     if (job.compiled.tints) pictures.emplace(job);
 }
 
@@ -55,6 +56,9 @@ void Surfaces::find(const Wave &wave, const Batch &batch) {
     if (choices)
         choices->choose(wave.count, scene_, shared(scene_.texels()), wave, wave.level.rays, wave.level.paths, hits, places(), updated(etas),
                         choices->chosen);
+    if (grouping)
+        grouping->group(wave.count, scene_, updated(wave.level.live), wave.first, wave.count, updated(hits), places(), in_lists(beyond()),
+                        updated(etas), choices ? choices->chosen : no_words);
     evaluate_(wave.count, scene_, wave, wave.level.rays, hits, places(), etas, choices ? choices->chosen : no_words, points, interfaces, directions);
     if (pictures) pictures->look_up(wave.count, scene_, shared(scene_.texels()), wave, wave.level.rays, hits, places(), points, pictures->tints);
     if (batch.aovs && wave.generation == 0) batch.aovs->record(batch, scene_, wave, hits, hit_instances, points, tints());
@@ -68,6 +72,7 @@ std::size_t Surfaces::bytes() const {
 void Surfaces::add_skipped(std::vector<Skipped> &skipped) const {
     if (!media) skipped.push_back({"find_interfaces", "no material transmits: refracted rays and lists of media are not stored"});
     if (!choices) skipped.push_back({"choose_materials", "no material chooses among others"});
+    if (paths_ && !grouping) skipped.push_back({"group_hits", "all surfaces scatter light by one kind of BSDF"});
     if (!pictures) skipped.push_back({"look_up_textures", "there are no pictures on surfaces or as background, and no vertex colours"});
 }
 

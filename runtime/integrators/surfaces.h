@@ -46,6 +46,7 @@ public:
     RayCounter counter;
     std::optional<Interfaces> media;
     std::optional<Choices> choices;
+    std::optional<Grouping> grouping;
     std::optional<Pictures> pictures;
 
 private:

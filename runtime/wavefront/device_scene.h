@@ -18,7 +18,7 @@ public:
     DeviceScene(Device &device, const CompiledScene &scene, RayLanes lanes)
         : header_(device, std::span(&scene.header, 1)),
           arena_(device, scene.arena),
-          texels_(device, std::span<const std::uint16_t>(scene.texels)),
+          texels_(device, std::span<const Texel>(scene.texels)),
           lights_(scene.header.lights),
           lists_(specialize(scene, lanes)) {}
 
@@ -35,7 +35,7 @@ public:
     }
     /// The generated files of this scene.
     const Sources &lists() const { return lists_; }
-    const Buffer<std::uint16_t> &texels() const { return texels_; }
+    const Buffer<Texel> &texels() const { return texels_; }
     /// Of header and arena.
     std::size_t bytes() const { return header_.bytes() + arena_.bytes(); }
     std::size_t texture_bytes() const { return texels_.bytes(); }
@@ -43,7 +43,7 @@ public:
 private:
     Buffer<SceneHeader> header_;
     Buffer<std::byte> arena_;
-    Buffer<std::uint16_t> texels_;  ///< empty in scenes without pictures
+    Buffer<Texel> texels_;  ///< empty in scenes without pictures
     Span lights_;
     Sources lists_;
 };

@@ -36,8 +36,9 @@ void add_lights(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     compiled.header.emission_chance = choices.emission;
     compiled.environment = choices.environment > 0;
     compiled.header.environment_rows = arena.add(lights.environment.rows);
-    compiled.header.environment_cells = arena.add(lights.environment.cells);
-    compiled.header.environment_columns = lights.environment.columns();
+    compiled.header.environment_begins = arena.add(lights.environment.begins);
+    compiled.header.environment_marks = arena.add(lights.environment.marks);
+    compiled.header.environment_row_count = lights.environment.row_count(), compiled.header.environment_columns = lights.environment.columns;
     compiled.header.environment_density = choices.environment;
 }
 

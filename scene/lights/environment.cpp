@@ -80,12 +80,14 @@ EnvironmentTable make_environment(const Picture &picture, Spectrum scale) {
     const std::vector<double> row_places = cumulated(weights);
     for (uint row = 0; row < rows; ++row) {
         const double chance = row_places[row + 1] - row_places[row], part = (edge(row) - edge(row + 1)) / 2;
-        table.rows.push_back({float(row_places[row]), float(row_places[row + 1]), float(edge(row)), float(edge(row + 1))});
+        table.rows.push_back({float(row_places[row]), float(edge(row)), float(chance / part * columns)});
         const std::vector<double> places = cumulated(std::span(means).subspan(std::size_t{row} * columns, columns));
-        for (uint column = 0; column < columns; ++column)
-            table.cells.push_back(
-                {float(places[column]), float(places[column + 1]), float(chance / part * (places[column + 1] - places[column]) * columns)});
+        table.begins.insert(table.begins.end(), places.begin(), places.end());
+        table.begins.resize((row + 1) * ENVIRONMENT_STRIDE(columns), 1);
+        for (uint column = 0; column < columns; column += ENVIRONMENT_MARK) table.marks.push_back(float(places[column]));
     }
+    table.rows.push_back({1, -1, 0});
+    table.columns = columns;
     return table;
 }
 

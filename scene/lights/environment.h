@@ -9,10 +9,12 @@ namespace brandung {
 
 /// By what directions are chosen.
 struct EnvironmentTable {
-    std::vector<EnvironmentRow> rows;    ///< from the top
-    std::vector<EnvironmentCell> cells;  ///< row by row, from the picture's left edge
-    float radiance = 0;                  ///< mean of all directions and channels
-    uint columns() const { return rows.empty() ? 0 : static_cast<uint>(cells.size() / rows.size()); }
+    std::vector<EnvironmentRow> rows;  ///< from the top, and one more
+    std::vector<float> begins;  ///< of each row: where in [0, 1] its cells begin, from the picture's left edge on, and 1, every ENVIRONMENT_STRIDE
+    std::vector<float> marks;   ///< of each row: every ENVIRONMENT_MARKth of these
+    uint columns = 0;           ///< cells of a row
+    float radiance = 0;         ///< mean of all directions and channels
+    uint row_count() const { return rows.empty() ? 0 : static_cast<uint>(rows.size()) - 1; }
 };
 
 /// Of a latitude-longitude picture of which every texel counts `scale` times. Each cell is as likely as its solid angle times the mean of what

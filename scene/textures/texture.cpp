@@ -53,6 +53,8 @@ uint add_texture(Scene &scene, const std::string &file, const TextureOptions &op
     }
 }
 
+Texel texel_of(vec3 color) { return {glm::packHalf2x16(vec2(color.x, color.y)), glm::packHalf1x16(color.z)}; }
+
 TexturePixels pixels_of(const std::vector<Texture> &textures, const std::vector<bool> &used) {
     TexturePixels result;
     std::size_t count = 0;
@@ -65,11 +67,10 @@ TexturePixels pixels_of(const std::vector<Texture> &textures, const std::vector<
         if (count > std::numeric_limits<uint>::max())
             throw SceneError(fmt::format("{}: with it textures have {} texels, too many", textures[i].file, count));
     }
-    result.texels.reserve(3 * count);
+    result.texels.reserve(count);
     for (std::size_t i = 0; i < textures.size(); ++i) {
         if (!used[i]) continue;
-        for (const vec3 &texel : textures[i].picture.pixels)
-            for (int c = 0; c < 3; ++c) result.texels.push_back(glm::packHalf1x16(texel[c]));
+        for (const vec3 &texel : textures[i].picture.pixels) result.texels.push_back(texel_of(texel));
     }
     return result;
 }

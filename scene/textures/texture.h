@@ -37,10 +37,13 @@ uint read_texture(Scene &scene, const std::string &file, const TextureOptions &o
 /// The same, but 0, which stands for no texture, with a counted warning if the picture cannot be read.
 uint add_texture(Scene &scene, const std::string &file, const TextureOptions &options = {});
 
+/// Rounded to half floats.
+Texel texel_of(vec3 color);
+
 /// Pictures as kernels read them.
 struct TexturePixels {
     std::vector<TextureRecord> records;  ///< as Scene::textures
-    std::vector<std::uint16_t> texels;   ///< half floats, three per texel
+    std::vector<Texel> texels;
 };
 /// Of the pictures in use; the others' records are empty. Throws SceneError if they have too many texels.
 TexturePixels pixels_of(const std::vector<Texture> &textures, const std::vector<bool> &used);

@@ -72,7 +72,7 @@ void PrintTo(const Layout &layout, std::ostream *out) {
 
 // One entry per member; the preprocessor needs as many rounds as a record has members.
 #define AGAIN()
-#define ROUNDS(...) ROUNDS_3(ROUNDS_3(ROUNDS_3(ROUNDS_3(ROUNDS_3(__VA_ARGS__)))))
+#define ROUNDS(...) ROUNDS_3(ROUNDS_3(ROUNDS_3(ROUNDS_3(ROUNDS_3(ROUNDS_3(__VA_ARGS__))))))
 #define ROUNDS_3(...) ROUNDS_1(ROUNDS_1(ROUNDS_1(__VA_ARGS__)))
 #define ROUNDS_1(...) __VA_ARGS__
 #define MEMBERS(Record, name, ...) {#name, offsetof(Record, name)}, __VA_OPT__(MORE_MEMBERS AGAIN()()(Record, __VA_ARGS__))
@@ -119,8 +119,8 @@ const Layouts &host_layouts() {
         RECORD(Light, kind, words),
         RECORD(Group, blocks, nodes, extent),
         RECORD(SceneHeader, world, groups, instances, motion_parts, shading, vertex_normals, vertex_uvs, vertex_colors, emissive_faces, materials,
-               lights, light_choices, emission_chance, textures, environment_rows, environment_cells, environment_columns, environment_density,
-               background, ambient, background_texture, background_turn),
+               lights, light_choices, emission_chance, textures, environment_rows, environment_begins, environment_marks, environment_row_count,
+               environment_columns, environment_density, background, ambient, background_texture, background_turn),
         RECORD(Transform, x, y, z, origin),
         RECORD(Instance, to_world, to_group, group, material, first_part, parts, spare),
         RECORD(MotionPart, begin, rate, to_world, to_group, mismatch, spare),
@@ -160,8 +160,8 @@ const Layouts &host_layouts() {
         RECORD(Stratum, salt, cell),
         RECORD(Emission, power, stratum, instance, dark),
         RECORD(Environment, radiance),
-        RECORD(EnvironmentRow, begin, end, high, low),
-        RECORD(EnvironmentCell, begin, end, density),
+        RECORD(EnvironmentRow, begin, high, density),
+        RECORD(Texel, red_green, blue),
         RECORD(EmissivePoint, p, normal, error, inverse_density),
         RECORD(EmissiveMesh, emission, first_face, faces),
         RECORD(EmissiveSphere, emission, center, radius),

@@ -12,6 +12,7 @@
 #include "runtime/opencl/embedded_kernels.h"
 #include "runtime/wavefront/specialization.h"
 #include "scene/accelerators/accelerator.h"
+#include "scene/bsdfs/bsdf.h"
 #include "scene/bsdfs/choosing.h"
 #include "scene/filters/filter.h"
 #include "scene/kinds.h"
@@ -262,6 +263,14 @@ TEST(Absence, WhereNoMaterialChoosesAmongOthersNoneIsChosen) {
     EXPECT_TRUE(launched_by(mixed).contains("choose_materials"));
 }
 
+TEST(Absence, HitsOfOneKind) {
+    Scene scene = spheres_only(matte(0.5f));
+    scene.integrator.type = "path";
+    EXPECT_FALSE(launched_by(scene).contains("group_hits"));
+    add_sphere(scene, add_material(scene, make_null(Spectrum(0.5f))), {0, 0, 0}, 0.1f);
+    EXPECT_TRUE(launched_by(scene).contains("group_hits"));
+}
+
 TEST(Absence, PicturesThatNothingShowsAreNotOnTheDevice) {
     Scene scene = coloured();
     scene.textures.push_back({"", {}, {2, 1, {Spectrum(1), Spectrum(0)}, {}}});
@@ -269,7 +278,7 @@ TEST(Absence, PicturesThatNothingShowsAreNotOnTheDevice) {
     scene.materials[1].record.diffuse_texture = 1;  // but nothing is made of it
     EXPECT_TRUE(compile(scene).texels.empty());
     scene.materials[0].record.diffuse_texture = 1;
-    EXPECT_EQ(compile(scene).texels.size(), 6u);
+    EXPECT_EQ(compile(scene).texels.size(), 2u);
 }
 
 TEST(Absence, WhatASceneDoesNotNeedIsNotAllocated) {

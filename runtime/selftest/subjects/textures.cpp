@@ -18,18 +18,26 @@ namespace {
 constexpr std::size_t inputs_per_round = 1 << 16;
 
 struct Pictures {
-    std::vector<std::uint16_t> texels;
+    std::vector<Texel> texels;
     std::vector<TextureRecord> records;
 };
+
+uint any_half(InputSource &source) { return source.one_in(8) ? source.below(0x7c00) : glm::packHalf1x16(source.uniform(0, 1)); }
+
+float channel_of(const Texel &texel, int c) {
+    return c < 2 ? glm::unpackHalf2x16(texel.red_green)[c] : glm::unpackHalf1x16(std::uint16_t(texel.blue));
+}
 
 /// From one texel to long strips, some of them dark, some with the largest half floats.
 Pictures make_pictures(InputSource &source) {
     const std::array<uint, 2> sizes[] = {{1, 1}, {2, 2}, {3, 5}, {64, 64}, {1000, 7}, {1, 4097}};
     Pictures pictures;
     for (const auto [width, height] : sizes) {
-        pictures.records.push_back({uint(pictures.texels.size() / 3), width, height, 0});
-        for (uint i = 0; i < 3 * width * height; ++i)
-            pictures.texels.push_back(static_cast<std::uint16_t>(source.one_in(8) ? source.below(0x7c00) : glm::packHalf1x16(source.uniform(0, 1))));
+        pictures.records.push_back({uint(pictures.texels.size()), width, height, 0});
+        for (uint i = 0; i < width * height; ++i) {
+            const uint red = any_half(source), green = any_half(source), blue = any_half(source);
+            pictures.texels.push_back({red | green << 16, blue});
+        }
     }
     return pictures;
 }
@@ -98,7 +106,7 @@ private:
     std::vector<Color> run(Kernel &kernel, const Pictures &pictures, const std::vector<TextureRecord> &records, const std::vector<vec2> &places) {
         const std::vector<glm::vec<2, Number>> wide(places.begin(), places.end());
         Buffer<Color> colors(device_, places.size());
-        kernel(places.size(), Buffer<std::uint16_t>(device_, pictures.texels), Buffer<TextureRecord>(device_, records),
+        kernel(places.size(), Buffer<Texel>(device_, pictures.texels), Buffer<TextureRecord>(device_, records),
                Buffer<glm::vec<2, Number>>(device_, wide), static_cast<uint>(places.size()), colors);
         return colors.read();
     }
@@ -112,8 +120,7 @@ private:
         const Between row = between(1 - extended(place.y), unit_roundoff * absolute(1 - extended(place.y)), texture.height, clamps_v);
         const auto texel = [&](std::int64_t i, std::int64_t j) {
             const auto at = texel_number(column.first + i, texture.width, clamps_u), down = texel_number(row.first + j, texture.height, clamps_v);
-            return extended(
-                glm::unpackHalf1x16(pictures.texels[3 * (texture.offset + std::size_t(down) * texture.width + std::size_t(at)) + std::size_t(c)]));
+            return extended(channel_of(pictures.texels[texture.offset + std::size_t(down) * texture.width + std::size_t(at)], c));
         };
         const auto across = [&](std::int64_t j) { return texel(0, j) * (1 - column.weight) + texel(1, j) * column.weight; };
         const extended exact = across(0) * (1 - row.weight) + across(1) * row.weight;

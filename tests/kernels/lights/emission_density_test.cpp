@@ -37,7 +37,7 @@ public:
     };
     Asked ask() {
         Kernel kernel = kernel_of("ask", R"(
-        kernel void ask(SCENE_PARAMS, const global ushort *scene_texels, uint count, float x, float y, float z, global Ray *rays,
+        kernel void ask(SCENE_PARAMS, const global Texel *scene_texels, uint count, float x, float y, float z, global Ray *rays,
                         global vec3 *directions, global float *densities, global float *irradiances) {
             const Scene scene = SCENE_WITH_TEXELS;
             const uint i = get_global_id(0);
@@ -66,7 +66,7 @@ public:
         const std::vector<Hit> hits = traced_.closest_hits(rays);
         Kernel kernel = kernel_of("met", R"(
 #include "kernels/lights/environment.cl"
-        kernel void met(SCENE_PARAMS, const global ushort *scene_texels, uint count, const global Ray *rays, const global Hit *hits,
+        kernel void met(SCENE_PARAMS, const global Texel *scene_texels, uint count, const global Ray *rays, const global Hit *hits,
                         const global uint *instances, global vec2 *results) {
             const Scene scene = SCENE_WITH_TEXELS;
             const uint i = get_global_id(0);

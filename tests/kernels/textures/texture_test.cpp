@@ -6,6 +6,7 @@
 #include <glm/gtc/packing.hpp>
 #include <numeric>
 
+#include "scene/textures/texture.h"
 #include "tests/support/probe.h"
 
 namespace brandung {
@@ -15,11 +16,10 @@ const Spectrum red(1, 0, 0), green(0, 1, 0), blue(0, 0, 1), white(1);
 
 /// Of a picture whose rows, from the top, are red, green and blue, white.
 std::vector<Spectrum> colors_at(const std::vector<vec2> &places, uint flags) {
-    std::vector<std::uint16_t> texels(3, 0);  // another picture of one texel comes first
-    for (const Spectrum &color : {red, green, blue, white})
-        for (int c = 0; c < 3; ++c) texels.push_back(glm::packHalf1x16(color[c]));
+    std::vector<Texel> texels(1);  // another picture of one texel comes first
+    for (const Spectrum &color : {red, green, blue, white}) texels.push_back(texel_of(color));
     static Probe probe(R"(#include "kernels/textures/texture.cl"
-        kernel void probe(const global ushort *texels, const global TextureRecord *texture, const global vec2 *uv, global Spectrum *color) {
+        kernel void probe(const global Texel *texels, const global TextureRecord *texture, const global vec2 *uv, global Spectrum *color) {
             const uint i = get_global_id(0);
             color[i] = texture_color(texels, *texture, uv[i]);
         })");

@@ -38,9 +38,19 @@ double mean_of_cell(const Picture &picture, const EnvironmentTable &table, uint 
     double sum = 0;
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i)
-            sum += brightness_at(picture, (column + (i + 0.5) / n) * picture.width / table.columns(),
-                                 (row + (j + 0.5) / n) * picture.height / double(table.rows.size()));
+            sum += brightness_at(picture, (column + (i + 0.5) / n) * picture.width / table.columns,
+                                 (row + (j + 0.5) / n) * picture.height / double(table.row_count()));
     return sum / (n * n);
+}
+
+/// As kernels read them.
+struct Cell {
+    float begin, end, density;
+};
+
+Cell cell_of(const EnvironmentTable &table, uint row, uint column) {
+    const float *begin = &table.begins.at(row * ENVIRONMENT_STRIDE(table.columns) + column);
+    return {begin[0], begin[1], table.rows.at(row).density * (begin[1] - begin[0])};
 }
 
 struct Size {
@@ -53,29 +63,33 @@ class Environments : public testing::TestWithParam<Size> {};
 TEST_P(Environments, CellsAreAsLikelyAsTheyAreBright) {
     const Picture picture = stars(GetParam().width, GetParam().height);
     const EnvironmentTable table = make_environment(picture, Spectrum(1));
-    EXPECT_LE(table.rows.size(), MAX_ENVIRONMENT_ROWS);
-    EXPECT_LE(table.columns(), MAX_ENVIRONMENT_COLUMNS);
+    EXPECT_LE(table.row_count(), MAX_ENVIRONMENT_ROWS);
+    EXPECT_LE(table.columns, MAX_ENVIRONMENT_COLUMNS);
+    const uint marks = (table.columns + ENVIRONMENT_MARK - 1) / ENVIRONMENT_MARK;
+    EXPECT_EQ(table.marks.size(), marks * table.row_count());
     double sum = 0;
     float row_place = 0;
-    for (uint row = 0; row < table.rows.size(); ++row) {
-        const EnvironmentRow &r = table.rows[row];
+    for (uint row = 0; row < table.row_count(); ++row) {
+        const EnvironmentRow &r = table.rows[row], &next = table.rows[row + 1];
         ASSERT_EQ(r.begin, row_place);
-        ASSERT_NEAR(r.high, std::cos(std::numbers::pi * row / double(table.rows.size())), 1e-7);
-        row_place = r.end;
-        const double part = (double(r.high) - double(r.low)) / 2 / table.columns();
+        ASSERT_NEAR(r.high, std::cos(std::numbers::pi * row / double(table.row_count())), 1e-7);
+        row_place = next.begin;
+        const double part = (double(r.high) - double(next.high)) / 2 / table.columns;
         float place = 0;
-        for (uint column = 0; column < table.columns(); ++column) {
-            const EnvironmentCell &cell = table.cells[row * table.columns() + column];
+        for (uint column = 0; column < table.columns; ++column) {
+            const Cell cell = cell_of(table, row, column);
             ASSERT_EQ(cell.begin, place);
             place = cell.end;
+            ASSERT_EQ(table.marks.at(row * marks + column / ENVIRONMENT_MARK), cell_of(table, row, column - column % ENVIRONMENT_MARK).begin);
             sum += double(cell.density) * part;
             // Chances are multiples of 2^-24: of the row, and in it.
-            const double chance = double(r.end - r.begin) * double(cell.end - cell.begin);
+            const double chance = double(next.begin - r.begin) * double(cell.end - cell.begin);
             ASSERT_NEAR(double(cell.density) * part, chance, 1e-3 * chance + 1e-12);  // near the poles cosines differ by few of their digits
-            if ((row * table.columns() + column) % 97 != 0) continue;
+            if ((row * table.columns + column) % 97 != 0) continue;
             const double expected = mean_of_cell(picture, table, row, column) / double(table.radiance);
             // Places 1/48 of a cell apart, in the hundred times brighter light of a texel's edge; and steps of chances.
-            const double steps = 0.02 / double(table.radiance), chances = 0x1p-23 / part * (double(r.end - r.begin) + double(cell.end - cell.begin));
+            const double steps = 0.02 / double(table.radiance),
+                         chances = 0x1p-23 / part * (double(next.begin - r.begin) + double(cell.end - cell.begin));
             ASSERT_NEAR(cell.density, expected, 5e-3 * expected + steps + chances) << row << ", " << column;
         }
         ASSERT_EQ(place, 1);
@@ -93,11 +107,11 @@ TEST(Environment, ASunIsNotLost) {
     Picture picture{4096, 2048, std::vector<vec3>(std::size_t{4096} * 2048), {}};
     picture.pixels[std::size_t{1000} * 4096] = vec3(0, 0, 60000);
     const EnvironmentTable table = make_environment(picture, Spectrum(1));
-    const uint columns = table.columns(), row = 1000 * uint(table.rows.size()) / 2048;
-    EXPECT_GT(table.cells[row * columns].density, 0);
-    EXPECT_GT(table.cells[row * columns + columns - 1].density, 0);
-    EXPECT_EQ(table.cells[row * columns + 1].density, 0);
-    EXPECT_EQ(table.cells[(row + 1) * columns].density, 0);
+    const uint columns = table.columns, row = 1000 * uint(table.row_count()) / 2048;
+    EXPECT_GT(cell_of(table, row, 0).density, 0);
+    EXPECT_GT(cell_of(table, row, columns - 1).density, 0);
+    EXPECT_EQ(cell_of(table, row, 1).density, 0);
+    EXPECT_EQ(cell_of(table, row + 1, 0).density, 0);
     const double angle = std::numbers::pi / 2048, part = std::sin((1000.5) * angle) * angle / 2 / 4096;
     EXPECT_NEAR(double(table.radiance) / (20000 * part), 1, 1e-3);
 }

@@ -12,5 +12,6 @@
 #define LIGHTS 1
 #define BUNDLES 1
 #define ONE_BSDF 0
+#define CHOOSES 1
 #define INSTANCE_KIND 4u
 #define FLAT_KINDS 0x3u

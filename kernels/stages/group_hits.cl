@@ -1,0 +1,67 @@
+// Brings hits together whose surfaces scatter light by one kind of BSDF, so that most chunks of the stages behind have one kind and do without the
+// others' code. What has met nothing comes last. Only for paths in scenes with several kinds.
+#include "generated/choosing.cl"
+#include "generated/constants.h"
+#include "kernels/core/items.cl"
+#include "kernels/core/load.cl"
+#include "kernels/primitives/placed.cl"
+
+/// Chunks of hits that one work-item groups: the more, the fewer chunks have hits of two kinds.
+#define CHUNKS_PER_GROUP 16u
+#define HITS_PER_GROUP (CHUNKS_PER_GROUP * ITEMS_PER_CHUNK)
+#define MAX_KINDS 16u  ///< of BSDFs, and nothing as another
+#define MAX_WORDS 8u   ///< of a record: INTERIOR_SIZE is at most 8
+#define PLACE_WORDS (INSTANCES ? INSTANCES_MOVE ? 2u : 1u : 0u)
+
+/// The kind of the BSDF at hit i, or MAX_KINDS - 1 after a miss.
+FUNCTION uint kind_of_hit(Scene scene, const global Hit *hits, const global uint *instances, const global uint *chosen, uint i) {
+    if (hits[i].primitive == NO_HIT) return MAX_KINDS - 1u;
+    const uint own = material_index_of(scene, placed(hits[i], instance_at(instances, i)));
+    return SCENE_ARRAY(scene, Material, materials)[material_at_hit(chosen, i, own)].kind;
+}
+
+FUNCTION bool is_ordered(const uchar *kinds, uint items) {
+    for (uint c = 1u; c < items; ++c)
+        if (kinds[c] < kinds[c - 1u]) return false;
+    return true;
+}
+
+/// order[j]: which of the chunk's hits comes to its place j. Hits of one kind stay in their order.
+FUNCTION void order_by_kind(const uchar *kinds, uint items, ushort *order) {
+    uint next[MAX_KINDS + 1u];
+    for (uint kind = 0u; kind <= MAX_KINDS; ++kind) next[kind] = 0u;
+    for (uint c = 0u; c < items; ++c) next[kinds[c] + 1u] += 1u;
+    for (uint kind = 1u; kind < MAX_KINDS; ++kind) next[kind] += next[kind - 1u];
+    for (uint c = 0u; c < items; ++c) order[next[kinds[c]]++] = (ushort)c;
+}
+
+/// The chunk's part of an array of records of so many words, a constant up to MAX_WORDS.
+FUNCTION void reorder(global uint *array, uint words, Chunk chunk, const ushort *order) {
+    uint before[MAX_WORDS * HITS_PER_GROUP];
+    global uint *records = array + chunk.begin * words;
+    for (uint w = 0u; w < chunk.items * words; ++w) before[w] = records[w];
+    for (uint c = 0u; c < chunk.items; ++c) {
+        const uint *from = before + order[c] * words;
+#pragma unroll
+        for (uint w = 0u; w < words; ++w) records[c * words + w] = from[w];
+    }
+}
+
+/// Changes the order of a list's items, and with it that of what stages have found out about them.
+kernel void group_hits(SCENE_PARAMS, global uint *restrict live, uint first, uint count, global uint *restrict hits, global uint *restrict instances,
+                       global uint *restrict beyond, global uint *restrict etas, global uint *restrict chosen) {
+    const Chunk chunk = chunks_of(count, CHUNKS_PER_GROUP);
+    uchar kinds[HITS_PER_GROUP];
+    for (uint c = 0u; c < chunk.items; ++c) kinds[c] = (uchar)kind_of_hit(SCENE, (const global Hit *)hits, instances, chosen, chunk.begin + c);
+    if (is_ordered(kinds, chunk.items)) return;
+    ushort order[HITS_PER_GROUP];
+    order_by_kind(kinds, chunk.items, order);
+    reorder(live + first, 1u, chunk, order);
+    reorder(hits, 4u, chunk, order);
+    reorder(instances, PLACE_WORDS, chunk, order);
+    if (TRANSMITS) {
+        reorder(beyond, INTERIOR_SIZE, chunk, order);
+        reorder(etas, 1u, chunk, order);
+    }
+    if (CHOOSES) reorder(chosen, 1u, chunk, order);
+}
