@@ -7,6 +7,7 @@
 #pragma clang diagnostic ignored "-Wpass-failed"
 #define ITEMS_PER_WORK_ITEM ITEMS_PER_CHUNK
 #define SIXTEEN_WIDE _Pragma("clang loop vectorize(assume_safety) vectorize_width(16)")
+#define ONE_BY_ONE _Pragma("clang loop vectorize(disable)")
 /// One chunk of items that the compiler makes 16 wide. The body must be flat, and no two items of a chunk may write one address.
 #define FOR_EACH_ITEM(i, count)                                            \
     const uint first_item_ = get_global_id(0) * ITEMS_PER_WORK_ITEM;       \
@@ -17,14 +18,16 @@
 #else
 #define ITEMS_PER_WORK_ITEM 1u
 #define SIXTEEN_WIDE
+#define ONE_BY_ONE
 #define FOR_EACH_ITEM(i, count) for (uint i = get_global_id(0); i < count; i = count)
 #define ONLY_IF(condition) if (condition)
 #endif
 /// The columns of a chunk that has all its items: what no item has left in a column is computed too, and not used.
 #define FOR_EACH_COLUMN(c) SIXTEEN_WIDE for (uint c = 0u; c < ITEMS_PER_WORK_ITEM; ++c)
-/// The same chunk, one item after another: for divergent work and for sums into shared places.
+/// The same chunk, one item after another: for divergent work, of which the compiler else makes masked gathers that take longer than all of it, and
+/// for sums into shared places.
 #define FOR_EACH_ITEM_SERIALLY(i, count) \
-    for (uint i = get_global_id(0) * ITEMS_PER_WORK_ITEM; i < min((uint)(get_global_id(0) + 1u) * ITEMS_PER_WORK_ITEM, count); ++i)
+    ONE_BY_ONE for (uint i = get_global_id(0) * ITEMS_PER_WORK_ITEM; i < min((uint)(get_global_id(0) + 1u) * ITEMS_PER_WORK_ITEM, count); ++i)
 
 /// The items of this work-item: `items` of them from `begin` on.
 typedef struct {
