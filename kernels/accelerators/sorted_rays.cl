@@ -1,32 +1,38 @@
-// Rays of a list sorted by the axis along which they go most: rows of them share the axis by which a triangle's vertices are turned.
+// Rays of a list sorted by where they go: rows of them share the axis along which they go most, by which a triangle's vertices are turned, and mostly
+// the signs of their directions, so that together they meet fewer primitives.
 #pragma once
 #include "kernels/accelerators/packet.cl"
 #include "kernels/core/items.cl"
 #include "kernels/core/major_axis.cl"
 
-/// Work-items whose rays one of them sorts together: the more, the fewer lanes are left over.
-#define CHUNKS_PER_SORT 4u
+/// Work-items whose rays one of them sorts together: the more, the more rays of a row are alike, and the fewer lanes are left over.
+#define CHUNKS_PER_SORT 16u
 #define RAYS_PER_SORT (CHUNKS_PER_SORT * ITEMS_PER_CHUNK)
+#define OCTANTS 8u
 
 typedef struct {
-    uint places[RAYS_PER_SORT];   ///< of rays in the list, axis by axis
+    uint places[RAYS_PER_SORT];   ///< of rays in the list, axis by axis, and octant by octant
     uint numbers[RAYS_PER_SORT];  ///< list[places[k]]
     uint ends[3];                 ///< of each axis's rays
 } SortedRays;
 
+FUNCTION uint octant(vec3 d) { return as_uint(d.x) >> 31 | (as_uint(d.y) >> 31) << 1 | (as_uint(d.z) >> 31) << 2; }
+
 FUNCTION void sort_rays(const global Ray *rays, const global uint *list, Chunk chunk, SortedRays *sorted) {
-    uchar axes[RAYS_PER_SORT];
-    uint next[3] = {0u, 0u, 0u};
+    uchar keys[RAYS_PER_SORT];
+    uint next[3u * OCTANTS + 1u];
+    for (uint k = 0u; k <= 3u * OCTANTS; ++k) next[k] = 0u;
     for (uint i = 0u; i < chunk.items; ++i) {
-        axes[i] = (uchar)major_axis(rays[list[chunk.begin + i]].direction);
-        next[axes[i]] += 1u;
+        const vec3 direction = rays[list[chunk.begin + i]].direction;
+        keys[i] = (uchar)(major_axis(direction) * OCTANTS + octant(direction));
+        next[keys[i] + 1u] += 1u;
     }
-    next[2] = next[0] + next[1], next[1] = next[0], next[0] = 0u;
+    for (uint k = 1u; k <= 3u * OCTANTS; ++k) next[k] += next[k - 1u];
+    for (uint axis = 0u; axis < 3u; ++axis) sorted->ends[axis] = next[(axis + 1u) * OCTANTS];
     for (uint i = 0u; i < chunk.items; ++i) {
-        const uint k = next[axes[i]]++;
+        const uint k = next[keys[i]]++;
         sorted->places[k] = chunk.begin + i, sorted->numbers[k] = list[chunk.begin + i];
     }
-    for (uint axis = 0u; axis < 3u; ++axis) sorted->ends[axis] = next[axis];
 }
 
 /// The row of sorted rays first .. first + count - 1, at most 16.
