@@ -24,6 +24,8 @@
 #define USE_LIGHT 3u
 #define USE_ROULETTE 4u
 #define USES_PER_SURFACE 4u
+// So far apart are the random numbers of a bundle's rows: odd, so that none come twice, and far beyond what is counted on from one.
+#define APART 2654435769u
 
 /// What a chunk's paths have met and chosen, a column for each word.
 typedef struct {
@@ -108,7 +110,7 @@ FUNCTION void sample_lights(Scene scene, Launch launch, uint count, const global
         const MetSurface met = column_met(&columns->met, c);
         const BundleRow row = bundle_row(launch, path, met.material_flags);
         const vec2 square = pair_for(launch, column_pixel_sample(columns, c), part_within(row.path, row.asking), USE_LIGHT);
-        LightRandom random = light_random(square, path.branch + launch.row);
+        LightRandom random = light_random(square, path.branch + APART * launch.row);
         SET_TIME(random, instance_at(instances, i).time);
         const LightSample sample = light_sample(scene, light_of_columns(&records, c), lit_origin(met), random);
         store_light(lights, c, sample);
