@@ -9,7 +9,7 @@
 
 FUNCTION BsdfValue diffuse_eval(const global Material *m, BsdfPoint point, vec3 wi) {
     const float pdf = wi.z * INVERSE_PI;
-    return above_surface(wi.z > 0.0f, scaled(times(load_floats(m->words), point.diffuse_tint), pdf), pdf);
+    return above_surface(wi.z > 0.0f, scaled(tinted(load_floats(m->words), point.diffuse_tint), pdf), pdf);
 }
 
 FUNCTION BsdfSample diffuse_sample(const global Material *m, BsdfPoint point, vec2 u, float choice) {
@@ -17,4 +17,4 @@ FUNCTION BsdfSample diffuse_sample(const global Material *m, BsdfPoint point, ve
     return sample_towards(wi, diffuse_eval(m, point, wi));
 }
 
-FUNCTION Spectrum diffuse_albedo(const global Material *m, Tints tint) { return times(load_floats(m->words), tint.diffuse); }
+FUNCTION Spectrum diffuse_albedo(const global Material *m, Tints tint) { return tinted(load_floats(m->words), tint.diffuse); }

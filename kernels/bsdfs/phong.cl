@@ -8,9 +8,12 @@
 #include "kernels/core/scene.h"
 #include "kernels/core/warp.cl"
 
-FUNCTION ModifiedPhong phong_view(const global Material *m, BsdfPoint point) {
+/// Pictures may brighten both reflectances, which are scaled to a sum of 1 where that is larger.
+FUNCTION ModifiedPhong phong_view(const global Material *m, Spectrum diffuse_tint, Spectrum specular_tint) {
+    const Spectrum diffuse = times(load_floats(m->words), diffuse_tint), specular = times(load_floats(m->words + 3), specular_tint);
+    const float bound = 1.0f / maximum(largest(plus(diffuse, specular)), 1.0f);
     ModifiedPhong p;
-    p.diffuse = times(load_floats(m->words), point.diffuse_tint), p.specular = times(load_floats(m->words + 3), point.specular_tint);
+    p.diffuse = scaled(diffuse, bound), p.specular = scaled(specular, bound);
     p.exponent = as_float(m->words[6]);
     return p;
 }
@@ -22,7 +25,7 @@ FUNCTION float phong_specular_chance(ModifiedPhong p) {
 }
 
 FUNCTION BsdfValue phong_eval(const global Material *m, BsdfPoint point, vec3 wi) {
-    const ModifiedPhong p = phong_view(m, point);
+    const ModifiedPhong p = phong_view(m, point.diffuse_tint, point.specular_tint);
     const float chance = phong_specular_chance(p), cosine = wi.z * point.wo.z - wi.x * point.wo.x - wi.y * point.wo.y;
     const float lobe = power(minimum(maximum(cosine, 0.0f), 1.0f), p.exponent) * (0.5f * INVERSE_PI), diffuse = wi.z * INVERSE_PI;
     const Spectrum value = plus(scaled(p.diffuse, diffuse), scaled(p.specular, (p.exponent + 2.0f) * lobe * wi.z));
@@ -30,7 +33,7 @@ FUNCTION BsdfValue phong_eval(const global Material *m, BsdfPoint point, vec3 wi
 }
 
 FUNCTION BsdfSample phong_sample(const global Material *m, BsdfPoint point, vec2 u, float choice) {
-    const ModifiedPhong p = phong_view(m, point);
+    const ModifiedPhong p = phong_view(m, point.diffuse_tint, point.specular_tint);
     const vec3 axis = make3(-point.wo.x, -point.wo.y, point.wo.z);
     const vec3 lobe = from_axis(axis, power_cosine(u.x, p.exponent), turn(u.y));
     const vec3 wi = where(choice < phong_specular_chance(p), lobe, cosine_hemisphere(u));
@@ -38,5 +41,6 @@ FUNCTION BsdfSample phong_sample(const global Material *m, BsdfPoint point, vec2
 }
 
 FUNCTION Spectrum phong_albedo(const global Material *m, Tints tint) {
-    return plus(times(load_floats(m->words), tint.diffuse), times(load_floats(m->words + 3), tint.specular));
+    const ModifiedPhong p = phong_view(m, tint.diffuse, tint.specular);
+    return plus(p.diffuse, p.specular);
 }

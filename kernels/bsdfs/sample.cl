@@ -3,6 +3,9 @@
 #include "kernels/bsdfs/bsdf.h"
 #include "kernels/core/lanes_1.cl"
 
+/// A reflectance that a picture multiplies, which may brighten it, but not beyond what arrives.
+FUNCTION Spectrum tinted(Spectrum reflectance, Spectrum tint) { return minimum(times(reflectance, tint), make3(1.0f, 1.0f, 1.0f)); }
+
 /// Nothing arrives from below the surface.
 FUNCTION BsdfValue above_surface(int is_seen, Spectrum value, float pdf) {
     BsdfValue result;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "scene/bsdfs/bsdf.h"
+#include "tests/scene/formats/temporary_file.h"
 #include "tests/support/rendering.h"
 #include "tests/support/scenes.h"
 
@@ -201,4 +202,23 @@ TEST(Textures, APictureOfOneColourIsAFactorOfTheReflectances) {
     };
     EXPECT_EQ(film_of(white, true), film_of(dark, false));
     EXPECT_NE(film_of(white, false), film_of(dark, false));
+}
+
+/// What scatters diffusely and in a highlight, by a picture that makes 1 of a diffuse reflectance of 0.1, in light of 1 from everywhere.
+TEST(Textures, BrighterPicturesThanReflectancesAllowReflectNoMoreThanArrives) {
+    Scene scene = read_text(R"({"film": {"width": 16, "height": 16, "spp": 256}, "integrator": {"type": "path"}, "background": 1,
+        "camera": {"from": [0, 0, 3], "at": [0, 0, 0], "fov": 10},
+        "materials": [{"name": "shiny", "type": "phong", "diffuse": 0.1, "specular": 0.9, "exponent": 50}],
+        "objects": [{"type": "sphere", "material": "shiny", "center": [0, 0, 0], "radius": 1}]})");
+    const auto mean = [&] {
+        vec3 sum(0);
+        for (const vec3 &pixel : render_scene(scene).picture) sum += pixel;
+        return sum.x / (16 * 16);
+    };
+    const float plain = mean();
+    scene.materials[0].record.diffuse_texture = add_texture(scene, 1, 1, {Spectrum(10)});
+    const float brightened = mean();
+    EXPECT_LE(plain, 1);
+    EXPECT_GT(brightened, plain);
+    EXPECT_LE(brightened, 1);
 }

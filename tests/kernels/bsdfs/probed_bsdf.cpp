@@ -18,11 +18,14 @@ Probe &probe_of(const std::string &kind, const std::string &call, const std::str
     std::unique_ptr<Probe> &probe = probes[kind + call];
     if (!probe)
         probe = std::make_unique<Probe>("#include \"kernels/bsdfs/" + kind + R"(.cl"
-            kernel void probe(const global Material *m, const global float *eta, const global vec3 *wo, const global vec3 *x, global )" +
+            kernel void probe(const global Material *m, const global float *eta, const global float *diffuse_tint,
+                              const global float *specular_tint, const global vec3 *wo, const global vec3 *x, global )" +
                                         result + R"( *results) {
                 const uint i = get_global_id(0);
                 BsdfPoint point;
-                point.wo = load(wo + i), point.eta = *eta, point.diffuse_tint = point.specular_tint = make3(1.0f, 1.0f, 1.0f);
+                point.wo = load(wo + i), point.eta = *eta;
+                point.diffuse_tint = make3(*diffuse_tint, *diffuse_tint, *diffuse_tint);
+                point.specular_tint = make3(*specular_tint, *specular_tint, *specular_tint);
                 const vec3 number = load(x + i);
                 vec2 u;
                 u.x = number.x, u.y = number.y;
@@ -35,7 +38,7 @@ std::vector<vec3> repeated(const std::vector<vec3> &wo, std::size_t count) { ret
 
 }  // namespace
 
-ProbedBsdf::ProbedBsdf(const TestedMaterial &tested) : eta_(tested.eta) {
+ProbedBsdf::ProbedBsdf(const TestedMaterial &tested) : eta_(tested.eta), diffuse_tint_(tested.diffuse_tint), specular_tint_(tested.specular_tint) {
     const Document document = parse_document("material", tested.text);
     const Parameters parameters(document, "");
     Scene scene;
@@ -45,11 +48,13 @@ ProbedBsdf::ProbedBsdf(const TestedMaterial &tested) : eta_(tested.eta) {
 }
 
 std::vector<BsdfValue> ProbedBsdf::eval(const std::vector<vec3> &wo, const std::vector<vec3> &wi) const {
-    return probe_of(kind_, "_eval(m, point, number)", "BsdfValue").run<BsdfValue>(material_, eta_, repeated(wo, wi.size()), wi);
+    return probe_of(kind_, "_eval(m, point, number)", "BsdfValue")
+        .run<BsdfValue>(material_, eta_, diffuse_tint_, specular_tint_, repeated(wo, wi.size()), wi);
 }
 
 std::vector<BsdfSample> ProbedBsdf::sample(const std::vector<vec3> &wo, const std::vector<vec3> &numbers) const {
-    return probe_of(kind_, "_sample(m, point, u, number.z)", "BsdfSample").run<BsdfSample>(material_, eta_, repeated(wo, numbers.size()), numbers);
+    return probe_of(kind_, "_sample(m, point, u, number.z)", "BsdfSample")
+        .run<BsdfSample>(material_, eta_, diffuse_tint_, specular_tint_, repeated(wo, numbers.size()), numbers);
 }
 
 }  // namespace brandung

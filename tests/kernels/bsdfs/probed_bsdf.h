@@ -19,7 +19,7 @@ public:
 private:
     Material material_;
     std::string kind_;
-    float eta_;
+    float eta_, diffuse_tint_, specular_tint_;
 };
 
 }  // namespace brandung
