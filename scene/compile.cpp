@@ -43,7 +43,7 @@ void use_everything(const Scene &scene, CompiledScene &compiled) {
     compiled.moves = compiled.reflects = compiled.transmits = compiled.chooses = compiled.emissive_instances = compiled.environment =
         compiled.highlights = compiled.shading_normals = compiled.tints = true;
     compiled.bundles = compiled.paths;
-    compiled.filters_shadows = scene.integrator.filtered_shadows;
+    compiled.filters_shadows = !compiled.paths && scene.integrator.filtered_shadows;
     compiled.interior_size = max_interior_size;
 }
 

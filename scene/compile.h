@@ -39,6 +39,7 @@ struct CompiledScene {
     bool emissive_instances = false;           ///< whether any light is an emissive shape of an instance
     bool environment = false;                  ///< whether the background is a light
     bool highlights = false;                   ///< whether any material has one
+    bool ideal = false;                        ///< whether any mirrors light, or lets it pass, in single directions
     bool shading_normals = false;              ///< whether any primitive has normals of its own for shading
     bool chooses = false;                      ///< whether any material stands for others, of which one counts at every hit
     bool tints = false;                        ///< whether pictures or vertices give any hit or miss a colour

@@ -29,6 +29,7 @@ typedef struct {
 #define MATERIAL_DIFFUSE 512u      ///< it takes bundles of rays that go on as large as for diffuse reflection,
 #define MATERIAL_GLOSSY 1024u      ///< for reflection of other kinds, unless that is one ray,
 #define MATERIAL_PASSES 2048u      ///< or for transmission
+#define MATERIAL_IDEAL 4096u       ///< it mirrors light, or lets it pass, in single directions
 
 /// A surface's material; 128 bytes. `words` is the kind's own.
 typedef struct {

@@ -12,6 +12,7 @@
 #include "scene/bsdfs/metals.h"
 #include "scene/parameters.h"
 #include "scene/textures/textured.h"
+#include "scene/vectors.h"
 
 namespace brandung {
 namespace {
@@ -63,7 +64,8 @@ Material read_conductor(const Parameters &parameters, Scene &scene) {
     conductor.specular = specular.value;
     conductor.alpha = facets.alpha, conductor.distribution = facets.distribution;
     if (facets.alpha > 0) add_multiple_reflection(conductor, facets);
-    Material material = material_of_kind("conductor", facets.alpha > 0 ? MATERIAL_LIT | MATERIAL_GLOSSY : 0, conductor);
+    const uint flags = facets.alpha > 0 ? MATERIAL_LIT | MATERIAL_GLOSSY : MATERIAL_IDEAL;
+    Material material = material_of_kind("conductor", largest(specular.value) > 0 ? flags : 0, conductor);
     material.specular_texture = specular.texture;
     read_emission(parameters, material);
     return material;

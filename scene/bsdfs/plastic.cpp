@@ -48,7 +48,8 @@ Material read_plastic(const Parameters &parameters, Scene &scene) {
     const Facets facets = read_facets(parameters, 0);
     add_boundary(plastic, facets, eta);
     const bool is_diffuse = largest(diffuse.value) > 0;
-    const uint flags = (facets.alpha > 0 || is_diffuse ? MATERIAL_LIT | MATERIAL_GLOSSY : 0) | (is_diffuse ? MATERIAL_DIFFUSE : 0);
+    const uint flags = (facets.alpha > 0 || is_diffuse ? MATERIAL_LIT | MATERIAL_GLOSSY : 0) | (is_diffuse ? MATERIAL_DIFFUSE : 0) |
+                       (facets.alpha > 0 ? 0 : MATERIAL_IDEAL);
     Material material = material_of_kind("plastic", flags, plastic);
     material.diffuse_texture = diffuse.texture;
     read_emission(parameters, material);

@@ -3,6 +3,7 @@
 
 #include "scene/bsdfs/make.h"
 #include "scene/parameters.h"
+#include "scene/vectors.h"
 
 namespace brandung {
 
@@ -11,7 +12,8 @@ Material read_thin_dielectric(const Parameters &parameters, Scene &) {
     ThinDielectric sheet{};
     sheet.reflection = parameters.fraction("reflection", Spectrum(1));
     sheet.transmission = parameters.fraction("transmission", Spectrum(1));
-    Material material = material_of_kind("thin_dielectric", MATERIAL_PASSES, sheet);
+    const bool scatters = largest(sheet.reflection) > 0 || largest(sheet.transmission) > 0;
+    Material material = material_of_kind("thin_dielectric", MATERIAL_PASSES | (scatters ? MATERIAL_IDEAL : 0), sheet);
     material.eta = parameters.positive("eta", 1.5f);
     read_emission(parameters, material);
     return material;

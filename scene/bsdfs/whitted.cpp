@@ -11,8 +11,9 @@ Material make_material(const Whitted &whitted) {
     const bool is_diffuse = largest(whitted.diffuse) > 0, has_highlight = largest(whitted.specular) > 0;
     const bool reflects = largest(whitted.reflection) > 0, transmits = largest(whitted.transmission) > 0;
     const uint flags = (reflects ? MATERIAL_REFLECTS : 0) | (transmits ? MATERIAL_TRANSMITS | MATERIAL_PASSES : 0) |
-                       (is_diffuse || has_highlight ? MATERIAL_LIT : 0) | (is_diffuse ? MATERIAL_DIFFUSE : 0) |
-                       (has_highlight ? MATERIAL_HIGHLIGHT : 0) | (has_highlight || (reflects && is_diffuse) ? MATERIAL_GLOSSY : 0);
+                       (reflects || transmits ? MATERIAL_IDEAL : 0) | (is_diffuse || has_highlight ? MATERIAL_LIT : 0) |
+                       (is_diffuse ? MATERIAL_DIFFUSE : 0) | (has_highlight ? MATERIAL_HIGHLIGHT : 0) |
+                       (has_highlight || (reflects && is_diffuse) ? MATERIAL_GLOSSY : 0);
     return material_of_kind("whitted", flags, whitted);
 }
 

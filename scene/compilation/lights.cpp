@@ -21,7 +21,7 @@ void warn_of_opaque_shadows(const Scene &scene, CompiledScene &compiled) {
 
 void add_lights(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     const LightRows lights = make_light_rows(scene);
-    compiled.filters_shadows = scene.integrator.filtered_shadows && compiled.transmits;
+    compiled.filters_shadows = !compiled.paths && scene.integrator.filtered_shadows && compiled.transmits;
     if (!compiled.paths && scene.integrator.shadows_unsaid && compiled.transmits && !lights.rows.empty()) warn_of_opaque_shadows(scene, compiled);
     compiled.lights = kinds_of(lights.rows);
     compiled.light_counts = lights.counts;

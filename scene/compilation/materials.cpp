@@ -72,11 +72,12 @@ void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
         compiled.reflects |= (material.flags & MATERIAL_REFLECTS) != 0;
         compiled.transmits |= (material.flags & MATERIAL_TRANSMITS) != 0;
         compiled.chooses |= chooses(material);
+        compiled.ideal |= (material.flags & MATERIAL_IDEAL) != 0 || lets_light_pass(material);
         compiled.highlights |= (material.flags & MATERIAL_HIGHLIGHT) != 0;
         compiled.bundle = std::max(compiled.bundle, bundle_size(material, sizes));
     }
     compiled.bundles = std::max(compiled.bundle, sizes.light) > 1;
-    compiled.follows_one = compiled.transmits && scene.integrator.follows_one;
+    compiled.follows_one = !compiled.paths && compiled.transmits && scene.integrator.follows_one;
     count_media(scene, used, compiled);
     add_textures(scene, used_materials, compiled, arena);
     add_passing_material(materials, used_materials);

@@ -11,6 +11,7 @@
 #include "scene/lights/light.h"
 #include "scene/parameters.h"
 #include "scene/primitives/add.h"
+#include "scene/vectors.h"
 #include "scene/view.h"
 #include "scene/warnings.h"
 
@@ -231,6 +232,13 @@ void read_cameras(const Parameters &root, Scene &scene) {
     if (scene.cameras.empty()) root.fail("cameras", "must not be empty");
 }
 
+void read_ambient(const Parameters &root, Scene &scene) {
+    scene.ambient = root.spectrum("ambient", scene.ambient);
+    if (!scene.integrator.traces_paths() || largest(scene.ambient) == 0) return;
+    ++scene.warnings["ambient has no effect with " + scene.integrator.type];
+    place_warnings(scene, [&] { return root.place("ambient"); });
+}
+
 /// Refuses unknown keys before a missing one is noticed, which is often the same one misspelt.
 void check_keys(const Parameters &root) {
     for (const char *key : {"$schema", "description"}) root.text(key, "");
@@ -255,7 +263,7 @@ Scene read_native(const std::string &file, const ReadOptions &options) {
     scene.file = file;
     scene.integrator.shadows_unsaid = true;
     read_settings(root, scene);
-    scene.ambient = root.spectrum("ambient", scene.ambient);
+    read_ambient(root, scene);
     read_materials(root, scene);
     read_lights(root, scene);
     const std::vector<std::string> materials = names_of(scene.materials);

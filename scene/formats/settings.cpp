@@ -98,7 +98,24 @@ Bundles read_bundles(const Parameters &parameters, Bundles bundles) {
     return bundles;
 }
 
-void read_integrator(const Parameters &parameters, IntegratorSettings &integrator) {
+/// Of what is set to no avail.
+void warn_of_unused(const Parameters &parameters, Scene &scene) {
+    const IntegratorSettings &integrator = scene.integrator;
+    const bool paths = integrator.traces_paths();
+    const auto expect_used = [&](const char *key, bool is_used) {
+        if (is_used || !parameters.has(key)) return;
+        ++scene.warnings[fmt::format("integrator.{} has no effect with {}", key, integrator.type)];
+        place_warnings(scene, [&] { return parameters.place(key); });
+    };
+    expect_used("threshold", !paths || integrator.threshold == 0);
+    expect_used("follow", !paths || !integrator.follows_one);
+    expect_used("shadows", !paths || !integrator.filtered_shadows);
+    expect_used("bundles", integrator.type == "distributed");
+    expect_used("roulette_depth", paths);
+}
+
+void read_integrator(const Parameters &parameters, Scene &scene) {
+    IntegratorSettings &integrator = scene.integrator;
     integrator.type = parameters.text("type", integrator.type);
     // Finding the line takes as long as reading the file again; the default is never refused.
     if (integrator.type != IntegratorSettings().type) integrator.type_place = parameters.place("type");
@@ -111,6 +128,7 @@ void read_integrator(const Parameters &parameters, IntegratorSettings &integrato
     if (parameters.has("shadows")) integrator.shadows_unsaid = false;
     integrator.filtered_shadows = parameters.choice("shadows", {"opaque", "filtered"}, integrator.filtered_shadows ? 1 : 0) == 1;
     parameters.expect_all_known();
+    warn_of_unused(parameters, scene);
 }
 
 }  // namespace
@@ -119,7 +137,7 @@ void read_settings(const Parameters &root, Scene &scene) {
     // PIXEL_... number the choices of film.pixel.
     static_assert(PIXEL_CORNER == 0 && PIXEL_CENTER == 1 && PIXEL_RANDOM == 2);
     read_film(root.child("film"), scene.film);
-    read_integrator(root.child("integrator"), scene.integrator);
+    read_integrator(root.child("integrator"), scene);
     std::vector<std::string> accelerators = {"auto"};
     for (const AcceleratorKind &kind : accelerator_kinds()) accelerators.emplace_back(kind.name);
     read_background(root, scene);

@@ -179,6 +179,11 @@ TEST(FilteredShadows, AreSkippedWhereThereIsNothingToLookThrough) {
     Scene clear = floor_under(red, from_above());
     add_pane(clear, 1, 2);
     EXPECT_TRUE(compile(clear).filters_shadows);
+    for (const Kinds kinds : {Kinds::in_use, Kinds::all}) {
+        clear.integrator.type = "path";
+        EXPECT_FALSE(compile(clear, {.kinds = kinds}).filters_shadows) << "paths go through glass themselves";
+    }
+    clear.integrator.type = "whitted";
     clear.integrator.filtered_shadows = false;
     EXPECT_FALSE(compile(clear).filters_shadows);
 }

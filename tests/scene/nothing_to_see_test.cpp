@@ -59,6 +59,33 @@ TEST_F(NothingToSee, ABackgroundLightsByPathsOnly) {
     EXPECT_EQ(native(nothing, matte, R"("integrator": {"type": "path"},)"), dark + " (1)");
 }
 
+/// Metals and glass by paths, of which each says by its own kind what it shows.
+TEST_F(NothingToSee, MirrorsAndGlassOfAllKindsShowTheBackground) {
+    const auto warning = [&](const std::string &material, const std::string &more) {
+        const std::string file = folder.write("scene.json", R"({"camera": {"from": [0, 0, 5], "at": [0, 0, 0]}, "integrator": {"type": "path"},
+"materials": [{"name": "a", )" + material + R"(}], "objects": [{"type": "sphere", "material": "a", "center": [0, 0, 0], "radius": 1}])" +
+                                                                more + "}");
+        return warning_of(read_scene(file), file);
+    };
+    const std::string gold = R"("type": "conductor", "metal": "gold")";
+    for (const std::string &material : {gold, gold + R"(, "roughness": 0.3)", std::string(R"("type": "dielectric")"),
+                                        std::string(R"("type": "thin_dielectric")"), std::string(R"("type": "plastic", "diffuse": 0)")}) {
+        EXPECT_EQ(warning(material, R"(, "background": 0.5)"), "") << material;
+        EXPECT_EQ(warning(material, ""), dark + " (1)") << material;
+    }
+    EXPECT_EQ(warning(gold + R"(, "specular": 0)", R"(, "lights": [{"type": "point", "position": [1, 2, 3], "intensity": 10}])"),
+              blank + " (1:2: /materials/0)");
+}
+
+/// Which paths do without.
+TEST_F(NothingToSee, AmbientLightAloneLightsNoPaths) {
+    const Scene scene = read_scene(folder.write("scene.json", R"({"camera": {"from": [0, 0, 5], "at": [0, 0, 0]}, "integrator": {"type": "path"},
+"ambient": 1, "materials": [{"name": "a", "type": "whitted"}],
+"objects": [{"type": "sphere", "material": "a", "center": [0, 0, 0], "radius": 1}]})"));
+    EXPECT_EQ(scene.warnings.count(dark), 1u);
+    EXPECT_EQ(scene.warnings.count("ambient has no effect with path"), 1u);
+}
+
 TEST_F(NothingToSee, OneMaterialThatShowsSomethingSuffices) {
     for (const char *some : {R"("specular": 0.1)", R"("emission": [0, 0, 1])"}) EXPECT_EQ(native(nothing, some, lights), "") << some;
     EXPECT_EQ(native(nothing, R"("ambient": 0.1)", R"("ambient": 0.1,)"), "");

@@ -41,6 +41,8 @@ template <class View> View view_of(const Material &material) {
 /// But for those of bundles.
 uint flags_of(const std::string &text) { return read(text).flags & ~(MATERIAL_DIFFUSE | MATERIAL_GLOSSY | MATERIAL_PASSES); }
 
+bool is_ideal(const std::string &text) { return (flags_of(text) & MATERIAL_IDEAL) != 0; }
+
 }  // namespace
 
 TEST(Bsdfs, WhatCannotBeIsRefused) {
@@ -61,21 +63,34 @@ TEST(Bsdfs, WhatCannotBeIsRefused) {
 TEST(Bsdfs, AreLitWhereTheyHaveLobes) {
     EXPECT_EQ(flags_of(R"({"type": "diffuse"})"), MATERIAL_LIT);
     EXPECT_EQ(flags_of(R"({"type": "diffuse", "reflectance": 0})"), 0u);
-    EXPECT_EQ(flags_of(R"({"type": "conductor", "metal": "iron"})"), 0u);
+    EXPECT_EQ(flags_of(R"({"type": "conductor", "metal": "iron"})"), MATERIAL_IDEAL);
     EXPECT_EQ(flags_of(R"({"type": "conductor", "metal": "iron", "roughness": 0.2})"), MATERIAL_LIT);
-    EXPECT_EQ(flags_of(R"({"type": "plastic", "diffuse": 0})"), 0u);
+    EXPECT_EQ(flags_of(R"({"type": "plastic", "diffuse": 0})"), MATERIAL_IDEAL);
     EXPECT_EQ(flags_of(R"({"type": "plastic", "diffuse": 0, "roughness": 0.2})"), MATERIAL_LIT);
-    EXPECT_EQ(flags_of(R"({"type": "plastic"})"), MATERIAL_LIT);
+    EXPECT_EQ(flags_of(R"({"type": "plastic"})"), MATERIAL_LIT | MATERIAL_IDEAL);
     EXPECT_EQ(flags_of(R"({"type": "phong"})"), MATERIAL_LIT);
+}
+
+TEST(Bsdfs, AreIdealWhereTheyMirrorLightOrLetItPassInSingleDirections) {
+    for (const char *text : {R"({"type": "conductor", "metal": "gold"})", R"({"type": "plastic"})", R"({"type": "dielectric", "transmission": 0})",
+                             R"({"type": "dielectric", "reflection": 0})", R"({"type": "thin_dielectric"})", R"({"type": "null"})",
+                             R"({"type": "whitted", "reflection": 0.1})", R"({"type": "whitted", "transmission": 0.1})"})
+        EXPECT_TRUE(is_ideal(text)) << text;
+    for (const char *text :
+         {R"({"type": "conductor", "metal": "gold", "roughness": 0.2})", R"({"type": "plastic", "roughness": 0.2})",
+          R"({"type": "dielectric", "roughness": 0.2})", R"({"type": "diffuse"})", R"({"type": "phong"})", R"({"type": "whitted"})",
+          R"({"type": "conductor", "metal": "gold", "specular": 0})", R"({"type": "dielectric", "reflection": 0, "transmission": 0})",
+          R"({"type": "thin_dielectric", "reflection": 0, "transmission": 0})", R"({"type": "null", "transmission": 0})"})
+        EXPECT_FALSE(is_ideal(text)) << text;
 }
 
 /// Into which rays go, as long as any light passes; a sheet has none.
 TEST(Bsdfs, GlassHasAnInside) {
-    EXPECT_EQ(flags_of(R"({"type": "dielectric"})"), MATERIAL_TRANSMITS);
+    EXPECT_EQ(flags_of(R"({"type": "dielectric"})"), MATERIAL_TRANSMITS | MATERIAL_IDEAL);
     EXPECT_EQ(flags_of(R"({"type": "dielectric", "roughness": 0.2})"), MATERIAL_TRANSMITS | MATERIAL_LIT);
-    EXPECT_EQ(flags_of(R"({"type": "dielectric", "transmission": 0})"), 0u);
-    EXPECT_EQ(flags_of(R"({"type": "thin_dielectric"})"), 0u);
-    EXPECT_EQ(flags_of(R"({"type": "null"})"), 0u);
+    EXPECT_EQ(flags_of(R"({"type": "dielectric", "transmission": 0})"), MATERIAL_IDEAL);
+    EXPECT_EQ(flags_of(R"({"type": "thin_dielectric"})"), MATERIAL_IDEAL);
+    EXPECT_EQ(flags_of(R"({"type": "null"})"), MATERIAL_IDEAL);
     const Material water = read(R"({"type": "dielectric", "eta": 1.33, "priority": 3})");
     EXPECT_EQ(water.eta, 1.33f);
     EXPECT_EQ(water.priority, 3u);

@@ -95,7 +95,7 @@ TEST(Native, MakesMaterialRecords) {
     const Scene scene = read_text(small_scene);
     ASSERT_EQ(scene.materials.size(), 2u);
     const Material &water = scene.materials[0].record, &grey = scene.materials[1].record;
-    EXPECT_EQ(water.flags, MATERIAL_TRANSMITS | MATERIAL_PASSES);
+    EXPECT_EQ(water.flags, MATERIAL_TRANSMITS | MATERIAL_PASSES | MATERIAL_IDEAL);
     EXPECT_EQ(water.eta, 1.33f);
     EXPECT_EQ(water.priority, 3u);
     EXPECT_EQ(view_of<Whitted>(water).fresnel, 1u);
@@ -305,6 +305,30 @@ TEST(Native, WarnsOfScenesThatShowNothing) {
     EXPECT_EQ(warnings_of(matte + R"(, "lights": [{"type": "point", "position": [1, 2, 3], "intensity": 10}])"), fine);
     EXPECT_EQ(warnings_of(objects + R"("materials": [{"name": "a", "type": "whitted", "emission": 1}])"), fine);
     EXPECT_EQ(warnings_of(objects + R"("background": 1, "materials": [{"name": "a", "type": "whitted", "reflection": 1}])"), fine);
+}
+
+/// Where they are set: here in line 2, or by an option.
+TEST(Native, WarnsOfSettingsThatItsIntegratorDoesNotUse) {
+    const auto warnings = [](const std::string &integrator, const std::vector<std::string> &options = {}) {
+        const Scene scene = read_text(R"({"camera": {"from": [0, 0, 5], "at": [0, 0, 0]}, "background": 1,
+"integrator": {)" + integrator + R"(}, "materials": [{"name": "a", "type": "whitted", "diffuse": 0.5}],
+"objects": [{"type": "sphere", "material": "a", "center": [0, 0, 0], "radius": 1}]})",
+                                      options);
+        std::string all;
+        for (const auto &[text, place] : scene.warning_places) all += text + place.substr(place.find(".json") + 5) + "; ";
+        return all;
+    };
+    EXPECT_EQ(warnings(R"("type": "path", "threshold": 0, "follow": "both", "shadows": "opaque", "roulette_depth": 3)"), "");
+    EXPECT_EQ(warnings(R"("type": "path", "threshold": 0.1)"), "integrator.threshold has no effect with path:2: /integrator/threshold; ");
+    EXPECT_EQ(warnings(R"("type": "distributed", "follow": "one", "bundles": {"light": 2})"),
+              "integrator.follow has no effect with distributed:2: /integrator/follow; ");
+    EXPECT_EQ(warnings(R"("type": "path", "bundles": {"light": 2})"), "integrator.bundles has no effect with path:2: /integrator/bundles; ");
+    EXPECT_EQ(warnings(R"("type": "path")", {"integrator.shadows=filtered"}),
+              "integrator.shadows has no effect with path: /integrator/shadows (set on the command line); ");
+    EXPECT_EQ(warnings(R"("type": "path")", {"ambient=1"}), "ambient has no effect with path: /ambient (set on the command line); ");
+    const std::vector<std::string> lit = {R"(lights=[{"type": "point", "position": [0, 0, 9], "intensity": 10}])"};
+    EXPECT_EQ(warnings(R"("threshold": 0.1, "follow": "one", "shadows": "filtered")", lit), "");
+    EXPECT_EQ(warnings(R"("roulette_depth": 3)", lit), "integrator.roulette_depth has no effect with whitted:2: /integrator/roulette_depth; ");
 }
 
 TEST(Native, WarnsOfPolygonsThatAreNotFlat) {

@@ -77,11 +77,12 @@ TEST(Nff, MaterialsAreWhitted) {
     EXPECT_EQ(view.exponent, 30);
     EXPECT_EQ(view.fresnel, 0u);
     EXPECT_EQ(glass.eta, 1.5f);
-    EXPECT_EQ(glass.flags & ~of_bundles, MATERIAL_REFLECTS | MATERIAL_TRANSMITS | MATERIAL_SPAWNS_ALWAYS | MATERIAL_LIT | MATERIAL_HIGHLIGHT);
-    EXPECT_EQ(mirror.flags & ~of_bundles, MATERIAL_REFLECTS | MATERIAL_SPAWNS_ALWAYS | MATERIAL_LIT | MATERIAL_HIGHLIGHT);
+    EXPECT_EQ(glass.flags & ~of_bundles,
+              MATERIAL_REFLECTS | MATERIAL_IDEAL | MATERIAL_TRANSMITS | MATERIAL_SPAWNS_ALWAYS | MATERIAL_LIT | MATERIAL_HIGHLIGHT);
+    EXPECT_EQ(mirror.flags & ~of_bundles, MATERIAL_REFLECTS | MATERIAL_IDEAL | MATERIAL_SPAWNS_ALWAYS | MATERIAL_LIT | MATERIAL_HIGHLIGHT);
     // What transmits reflects at weight 0 too.
     const Scene clear = read_nff_text(nff_viewpoint + "f 1 1 1 0 0 0 1 1.5\n");
-    EXPECT_EQ(clear.materials[0].record.flags & ~of_bundles, MATERIAL_REFLECTS | MATERIAL_TRANSMITS | MATERIAL_SPAWNS_ALWAYS);
+    EXPECT_EQ(clear.materials[0].record.flags & ~of_bundles, MATERIAL_REFLECTS | MATERIAL_IDEAL | MATERIAL_TRANSMITS | MATERIAL_SPAWNS_ALWAYS);
 }
 
 TEST(Nff, ObjectsAreInTheOrderOfTheFile) {
