@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "runtime/integrators/camera_rays.h"
+#include "runtime/integrators/cut_rays.h"
 #include "runtime/integrators/observation.h"
 #include "runtime/integrators/shadows.h"
 #include "runtime/integrators/surfaces.h"
@@ -32,7 +33,7 @@ public:
           params_{job.scene.integrator.max_depth, job.scene.integrator.roulette_depth, job.scene.integrator.bundles_in_use()},
           asks_(job.compiled.header.light_choices.count > 0),
           rows_(std::max(job.compiled.bundle, asks_ ? params_.bundles.light : 1)),
-          sizeless_lights_(!job.scene.lights.empty()),
+          unmet_lights_(!job.scene.lights.empty() && job.compiled.ideal),
           generate_(job),
           spawn_(job.device, path_cl, "spawn_path", scene_.lists()),
           shade_(job.device, path_cl, "shade_path", scene_.lists()),
@@ -41,6 +42,7 @@ public:
                   {.interior_size = job.compiled.interior_size, .place_words = job.compiled.place_words(), .pdfs = true}, job.on_step),
           surfaces_(job, true, std::max(generate_.work_items(job.batch), rows_ * generate_.work_items(levels_.wave_size(0)))),
           compact_(job.device, levels_.capacity(), 1),
+          cut_(job, MATERIAL_LIT | MATERIAL_IDEAL),
           alive_(job.device, levels_.capacity()),
           contributions_(job.device, job.batch),
           refused_(job.device, 1),
@@ -62,7 +64,7 @@ public:
             if (wave->children)
                 spawn(*wave, batch);
             else
-                cut_ += wave->count;
+                cut_.count(*wave, scene_, surfaces_.points);
             shade(*wave);
             accumulate_(wave->count, *wave, wave->level.paths, contributions_, updated(samples), shared(refused_));
             if (observer) show(*wave, *observer);
@@ -85,11 +87,12 @@ public:
         return skipped;
     }
     std::vector<Bias> biases() const override {
-        if (cut_ == 0) return {};
-        return {{"depth limit", fmt::format("integrator.max_depth {} ended {} paths", params_.max_depth, cut_)}};
+        const std::uint64_t cut = cut_.read();
+        if (cut == 0) return {};
+        return {{"depth limit", fmt::format("integrator.max_depth {} ended {} paths whose surface sends more", params_.max_depth, cut)}};
     }
     std::vector<NotShown> not_shown() const override {
-        if (!sizeless_lights_) return {};
+        if (!unmet_lights_) return {};
         return {{"light of points and directions over mirrors, through smooth glass and masks", "paths cannot meet lights without size by chance"}};
     }
 
@@ -146,15 +149,15 @@ private:
     const DeviceScene &scene_;
     uint batch_;
     PathParams params_;
-    bool asks_;  ///< whether there are lights of which to ask
-    uint rows_;  ///< of the largest bundle
-    bool sizeless_lights_;
-    std::uint64_t cut_ = 0;  ///< rays whose surfaces send no more
+    bool asks_;          ///< whether there are lights of which to ask
+    uint rows_;          ///< of the largest bundle
+    bool unmet_lights_;  ///< whether there are lights without size, and what they would have to be met over
     CameraRays generate_;
     Kernel spawn_, shade_, accumulate_;
     Levels levels_;
     Surfaces surfaces_;
     Compaction compact_;
+    CutRays cut_;
     Buffer<std::uint8_t> alive_;
     Buffer<Spectrum> contributions_;
     Buffer<uint> refused_;

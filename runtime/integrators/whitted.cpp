@@ -53,7 +53,7 @@ public:
             if (wave->children)
                 spawn(*wave);
             else if (secondary_)
-                secondary_->count_cut(wave->count, scene_.tables(), wave->count, surfaces_.points, shared(secondary_->cut));
+                secondary_->cut.count(*wave, scene_, surfaces_.points);
             for (uint light = 0; light == 0 || light < light_count_; light += lights_per_block) shade(*wave, light, samples);
             if (observer) show(*wave, *observer);
             if (wave->children) levels_.add_children(*wave, secondary_->compact.counts().read().at(0));
@@ -79,7 +79,7 @@ public:
     std::vector<Bias> biases() const override {
         std::vector<Bias> biases;
         if (!secondary_) return biases;
-        if (const std::uint64_t cut = secondary_->cut.read().at(0); cut > 0)
+        if (const std::uint64_t cut = secondary_->cut.read(); cut > 0)
             biases.push_back({"depth limit", fmt::format("integrator.max_depth {} ended {} rays whose surface sends more", params_.max_depth, cut)});
         if (params_.threshold > 0)
             biases.push_back({"adaptive depth", fmt::format("integrator.threshold {:g} ends rays that count less", params_.threshold)});

@@ -1,5 +1,6 @@
 /// Parts of Whitted's integrator that only some scenes need: each has kernels and what they write to.
 #pragma once
+#include "runtime/integrators/cut_rays.h"
 #include "runtime/integrators/shadows.h"
 #include "runtime/wavefront/compaction.h"
 
@@ -13,15 +14,11 @@ struct Secondary {
         : spawn(job.device, whitted_cl, "spawn_whitted", job.on_device.lists()),
           compact(job.device, std::size_t{job.batch} * branching, 1),
           alive(job.device, std::size_t{job.batch} * branching),
-          count_cut(job.device, "kernels/stages/count_cut_paths.cl", "count_cut_paths", job.on_device.lists()),
-          cut(job.device, 1) {
-        cut.fill_zero();
-    }
+          cut(job, MATERIAL_REFLECTS | MATERIAL_TRANSMITS) {}
     Kernel spawn;
     Compaction compact;
     Buffer<std::uint8_t> alive;
-    Kernel count_cut;
-    Buffer<std::uint64_t> cut;  ///< hits at the depth limit that would send further rays
+    CutRays cut;
     std::size_t bytes() const { return compact.bytes() + alive.bytes(); }
 };
 
