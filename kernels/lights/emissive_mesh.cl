@@ -1,6 +1,7 @@
 // Emissive mesh: points uniform by area in the part of the mesh that is the cell.
 #pragma once
 #include "kernels/core/load.cl"
+#include "kernels/core/morton.cl"
 #include "kernels/core/scene.cl"
 #include "kernels/core/warp.cl"
 #include "kernels/lights/emission.cl"
@@ -21,15 +22,6 @@ FUNCTION const global EmissiveFace *emissive_mesh_face(Scene scene, EmissiveMesh
     const global EmissiveFace *face = faces + min(light.first_face + entry, last);
     const uint chosen = unit_interval(hash(random + 3u)) < face->kept ? entry : face->alias;
     return faces + min(light.first_face + chosen, last);
-}
-
-/// The even bits of x, together.
-FUNCTION uint even_bits(uint x) {
-    x &= 0x55555555u;
-    x = (x | x >> 1) & 0x33333333u;
-    x = (x | x >> 2) & 0x0f0f0f0fu;
-    x = (x | x >> 4) & 0x00ff00ffu;
-    return (x | x >> 8) & 0xffffu;
 }
 
 /// A place on the face's part of Morton's curve, and chance within the curve's steps of 2^-16.

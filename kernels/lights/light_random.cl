@@ -2,6 +2,7 @@
 #pragma once
 #include "generated/time.cl"
 #include "kernels/core/lanes_1.cl"
+#include "kernels/core/morton.cl"
 #include "kernels/core/random.cl"
 #include "kernels/core/scene.h"
 
@@ -23,18 +24,10 @@ FUNCTION LightRandom light_random(Light light, uint branch) {
     return result;
 }
 
-/// The bits of x < 2^16, each followed by a 0.
-FUNCTION uint spread_bits(uint x) {
-    x = (x | x << 8) & 0x00ff00ffu;
-    x = (x | x << 4) & 0x0f0f0f0fu;
-    x = (x | x << 2) & 0x33333333u;
-    return (x | x << 1) & 0x55555555u;
-}
-
 /// Of a point of the square that a sampler has chosen.
 FUNCTION LightRandom light_random(vec2 square, uint random) {
     LightRandom result;
     result.square = square, result.random = random;
-    result.curve = spread_bits((uint)(int)(square.x * 0x1p16f)) | spread_bits((uint)(int)(square.y * 0x1p16f)) << 1;
+    result.curve = morton_place((uint)(int)(square.x * 0x1p16f), (uint)(int)(square.y * 0x1p16f));
     return result;
 }

@@ -2,21 +2,14 @@
 // pixel's samples are a run of one sequence, those of a square of 2^k by 2^k pixels too, and what is left of errors is blue: neighbours' cancel each
 // other.
 #pragma once
+#include "kernels/core/morton.cl"
 #include "kernels/core/params.h"
 #include "kernels/core/random.cl"
 #include "kernels/samplers/part.cl"
 #include "kernels/samplers/sobol_sequence.cl"
 
-/// The lower 16 bits, one in every two.
-FUNCTION uint bits_apart(uint x) {
-    x = (x | x << 8) & 0x00ff00ffu;
-    x = (x | x << 4) & 0x0f0f0f0fu;
-    x = (x | x << 2) & 0x33333333u;
-    return (x | x << 1) & 0x55555555u;
-}
-
 /// Place of a pixel on Morton's curve.
-FUNCTION uint place_on_curve(uint pixel) { return bits_apart(pixel & 0xffffu) | bits_apart(pixel >> 16) << 1; }
+FUNCTION uint place_on_curve(uint pixel) { return morton_place(pixel & 0xffffu, pixel >> 16); }
 
 /// Of a run: the least k such that as many pairs are at most 2^k, and no more than 16 where nobody knows how many there will be.
 FUNCTION uint run_bits(uint pairs) { return min(32u - clz(pairs - 1u), 16u); }
