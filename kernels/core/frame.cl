@@ -20,8 +20,9 @@ FUNCTION Frame frame_of(vec3 axis) {
 FUNCTION vec3 to_frame(Frame frame, vec3 v) { return make3(dot3(v, frame.right), dot3(v, frame.up), dot3(v, frame.axis)); }
 FUNCTION vec3 from_frame(Frame frame, vec3 v) { return plus(scaled(frame.axis, v.z), plus(scaled(frame.right, v.x), scaled(frame.up, v.y))); }
 
-/// The unit vector whose component along the unit vector `axis` is z and whose azimuth about it has this cosine (x) and sine (y).
-FUNCTION vec3 from_axis(vec3 axis, float z, vec2 azimuth) {
-    const float radius = sqrt(maximum((1.0f - z) * (1.0f + z), 0.0f));
+/// The vector whose component along the unit vector `axis` is z, across it `radius`, and whose azimuth about it has this cosine (x) and sine (y).
+FUNCTION vec3 from_axis(vec3 axis, float z, float radius, vec2 azimuth) {
     return from_frame(frame_of(axis), make3(radius * azimuth.x, radius * azimuth.y, z));
 }
+/// The unit vector.
+FUNCTION vec3 from_axis(vec3 axis, float z, vec2 azimuth) { return from_axis(axis, z, sqrt(maximum((1.0f - z) * (1.0f + z), 0.0f)), azimuth); }

@@ -3,6 +3,7 @@
 #include "generated/emissive_instances.cl"
 #include "generated/environment.cl"
 #include "kernels/core/lanes_1.cl"
+#include "kernels/core/random.cl"
 #include "kernels/core/scene.cl"
 #include "kernels/lights/light.h"
 #include "kernels/lights/light_choice.h"
@@ -15,13 +16,15 @@ typedef struct {
     float radiance;        ///< as of LightChoice
 } ChosenLight;
 
-/// By u in [0, 1).
-FUNCTION ChosenLight light_chosen(Scene scene, float u) {
+/// By u in [0, 1), of 24 bits, below which a hash of `random` decides: however many lights there are, each interval of u that means a light has 2^32
+/// steps.
+FUNCTION ChosenLight light_chosen(Scene scene, float u, uint random) {
     const global LightChoice *choices = SCENE_ARRAY(scene, LightChoice, light_choices);
     const uint count = scene.header->light_choices.count;
-    const float place = u * (float)(int)count;
-    const uint entry = min((uint)(int)place, count - 1u);
-    const uint row = place - (float)(int)entry < choices[entry].kept ? entry : choices[entry].alias;
+    const uint64 steps = (uint64)((uint)(int)(u * 0x1p24f) << 8) * count + ((uint64)hash(random + 8u) * count >> 24);
+    const uint entry = (uint)(steps >> 32);
+    const float place = (float)(int)((uint)steps >> 1) * 0x1p-31f;
+    const uint row = place < choices[entry].kept ? entry : choices[entry].alias;
     ChosenLight chosen;
     chosen.row = row, chosen.inverse_chance = choices[row].inverse_chance, chosen.radiance = choices[row].radiance;
     return chosen;

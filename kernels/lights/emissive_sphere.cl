@@ -20,20 +20,22 @@ FUNCTION EmissiveSphere emissive_sphere_view(Light l) {
 
 /// Where the axis is z and points to p, at distance d from the centre: from outside z² is uniform between (radius / d)², the horizon, and 1, so that
 /// the density [1/area] is z / (pi radius² (1 - (radius / d)²)), which from afar makes every point count the same; from inside z is uniform
-/// between -1 and 1, and the density 1 / (4 pi radius²).
+/// between -1 and 1, and the density 1 / (4 pi radius²). However near p is, 1 - (radius / d)² and 1 - z² have their digits.
 FUNCTION LightSample emissive_sphere_sample(Scene scene, Light l, vec3 world_p, LightRandom random) {
     const EmissiveSphere light = emissive_sphere_view(l);
     const Placement place = PLACE_OF_LIGHT(light.emission, random);
     const vec3 p = lit_point_in_group(scene, place, world_p);
     const vec2 square = stratum_point(light.emission.stratum, random);
-    const bool outside = emissive_sphere_offset(light.center, light.radius, p) > 0.0f;
+    const float offset = emissive_sphere_offset(light.center, light.radius, p);
+    const bool outside = offset > 0.0f;
     const vec3 f = minus(p, light.center);
-    const float d = sqrt(dot3(f, f)), ratio = minimum(light.radius / d, 1.0f), seen = (1.0f - ratio) * (1.0f + ratio);
+    const float square_d = dot3(f, f), d = sqrt(square_d), seen = offset / square_d;
     const float z = outside ? sqrt(maximum(fma(-seen, square.x, 1.0f), 0x1p-48f)) : 1.0f - 2.0f * square.x;
+    const float sine = sqrt(outside ? seen * square.x : 4.0f * square.x * maximum(1.0f - square.x, 0.0f));
     const float inverse_density = (outside ? seen / z : 4.0f) * PI * light.radius * light.radius;
 
     const vec3 axis = where(d > 0.0f, scaled(f, 1.0f / d), make3(0.0f, 0.0f, 1.0f));
-    const vec3 normal = unit(from_axis(axis, z, turn(square.y)));
+    const vec3 normal = unit(from_axis(axis, z, sine, turn(square.y)));
     const vec3 q = plus(light.center, scaled(normal, light.radius));
     const float error = 0x1p-21f * (largest(absolute(light.center)) + light.radius);
     return emission_sample(scene, light.emission, place, world_p, emissive_point(q, normal, error, inverse_density));

@@ -42,10 +42,9 @@ FUNCTION float sphere_emission_factor(ShadingRecord record, vec3 from, vec3 p) {
     const SphereShading sphere = sphere_view(record);
     const float radius = fabs(sphere.radius);
     const vec3 f = minus(from, sphere.center), q = minus(p, sphere.center);
-    const float d = sqrt(dot3(f, f)), ratio = minimum(radius / d, 1.0f), seen = (1.0f - ratio) * (1.0f + ratio);
-    const float z = dot3(f, q) / (d * sqrt(dot3(q, q)));
-    const bool outside = sphere_surface_offset(sphere.center, radius, from) > 0.0f;
-    return outside ? 4.0f * maximum(z, 0.0f) / seen : 1.0f;
+    const float square_d = dot3(f, f), offset = sphere_surface_offset(sphere.center, radius, from);
+    const float z = dot3(f, q) / sqrt(square_d * dot3(q, q));
+    return offset > 0.0f ? 4.0f * maximum(z, 0.0f) * (square_d / offset) : 1.0f;
 }
 
 /// The y axis leads to the pole at v = 1; u = 1/2 faces the z axis and grows towards the x axis.

@@ -86,6 +86,20 @@ const std::vector<Analytic> lamps = {
      }},
 };
 
+/// A floor under a sphere of radius 1000 that hides all of its sky; the lowest point of the sphere is at y = 0.
+Scene scene_under_large_sphere(float gap) {
+    const vec3 place(0, -gap, 0);
+    Scene scene = scene_seen_at(place + vec3(0.5f, 0.5f, 0.2f) * gap, place);
+    scene.integrator.type = "path";
+    scene.film.sampler = kind_number(sampler_kinds(), "independent");
+    scene.film.width = 64, scene.film.height = 64, scene.film.spp = 256;
+    add_quad(scene, 0, {-0.5f, -gap, 0.5f}, {1, 0, 0}, {0, 0, -1});
+    add_sphere(scene, 1, {0, 1000, 0}, 1000);
+    return scene;
+}
+
+class LargeSphere : public testing::TestWithParam<float> {};
+
 class AnalyticLights : public testing::TestWithParam<Analytic> {};
 
 }  // namespace
@@ -110,4 +124,15 @@ TEST_P(AnalyticLights, AreRightToAThousandth) {
     }
 }
 
+/// However close its surface is: in the last case distance and radius are the same float. There points that are asked are nearer to the floor than
+/// their own rounding, 2^-21 of 2000, and send nothing, which leaves out of what they share with rays that meet them up to 1e-4 of all.
+TEST_P(LargeSphere, IsAllOfTheSky) {
+    const Real d = 1000 + Real(GetParam());
+    const Estimate sky = estimate(scene_under_large_sphere(GetParam()));
+    EXPECT_NEAR(double(sky.mean), double(1e6L / (d * d)), 1e-4 + 3 * double(sky.error()));
+    EXPECT_LT(sky.error(), 1e-4L) << "the test can tell";
+}
+
+INSTANTIATE_TEST_SUITE_P(Path, LargeSphere, testing::Values(0.1f, 0.003f, 1e-5f),
+                         [](const auto &info) { return "Gap" + std::to_string(info.index); });
 INSTANTIATE_TEST_SUITE_P(Path, AnalyticLights, testing::ValuesIn(lamps), [](const auto &info) { return std::string(info.param.name); });

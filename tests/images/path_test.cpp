@@ -1,12 +1,15 @@
 /// Path tracing against what analysis and Whitted's integrator know.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <utility>
 
 #include "scene/compile.h"
+#include "scene/kinds.h"
 #include "scene/lights/light.h"
 #include "scene/primitives/add.h"
+#include "scene/samplers/sampler.h"
 #include "tests/images/irradiance.h"
 
 namespace {
@@ -134,6 +137,43 @@ TEST_P(PathLamps, GiveWhatWhittedFindsBothWaysTogetherAndByChanceAlone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Path, PathLamps, testing::ValuesIn(all_lamps), [](const auto &info) { return std::string(info.param.name); });
+
+namespace {
+
+/// A lamp of few faces, with the normals of a ball.
+MeshData ball(vec3 center, float radius, int rings, int sectors) {
+    MeshData mesh;
+    for (int i = 0; i <= rings; ++i)
+        for (int j = 0; j < sectors; ++j) {
+            const double down = oracle::pi * i / rings, around = 2 * oracle::pi * j / sectors;
+            const vec3 normal(std::sin(down) * std::cos(around), std::cos(down), std::sin(down) * std::sin(around));
+            mesh.normals.push_back(normal), mesh.positions.push_back(center + normal * radius);
+        }
+    for (int i = 0; i < rings; ++i)
+        for (int j = 0; j < sectors; ++j) {
+            const uint a = uint(i * sectors + j), b = uint(i * sectors + (j + 1) % sectors), c = a + uint(sectors), d = b + uint(sectors);
+            if (i > 0) mesh.indices.insert(mesh.indices.end(), {a, b, c});
+            if (i + 1 < rings) mesh.indices.insert(mesh.indices.end(), {b, d, c});
+        }
+    return mesh;
+}
+
+}  // namespace
+
+/// Faces of a lamp are asked where they are, and so are met, whatever surface their normals are of.
+TEST(Path, LampsWithVertexNormalsAreAskedWhereTheyAreMet) {
+    Scene scene = scene_seen_at({0.6f, 0.04f, 0.1f}, {0.25f, 0, 0});
+    scene.integrator.type = "path";
+    scene.film.sampler = kind_number(sampler_kinds(), "independent");
+    scene.film.width = 64, scene.film.height = 64, scene.film.spp = 1024;
+    add_floor(scene);
+    add_triangle_mesh(scene, 1, ball({0, 0.55f, 0}, 0.5f, 4, 6));
+    const Estimate both = estimate(scene);
+    scene.integrator.light_samples = 0;
+    const Estimate met = estimate(scene);
+    EXPECT_TRUE(statistics::plausible(p_of(both, met))) << both.mean / met.mean;
+    EXPECT_LT(both.error() + met.error(), 1e-3L * met.mean) << "the test can tell";
+}
 
 /// The picture is a function of the scene: neither of how it is cut into batches, nor of kernels made for more than it has.
 TEST(Path, BatchesAndKernelsForEverythingGiveTheSameBits) {

@@ -79,6 +79,17 @@ TEST_P(EmissiveShape, SpheresShowThePartThatFacesAPointAsTheirDensitySays) {
     expect_uniform(counts_in_square(ways_to_lamp(scene, inside), inside, 16, [](vec3 q) { return vec2((q.y / 2 + 1) / 2, turn_of(q)); }));
 }
 
+/// So near that nearly all points have z = 1 in floats: uniform is the squared sine, from 0 to 1 - (r / d)².
+TEST_P(EmissiveShape, LargeSpheresShowTheirDensityToPointsCloseToThem) {
+    Scene scene = scene_with_lamp();
+    scene.integrator.light_samples = GetParam();
+    add_sphere(scene, 1, {0, 0, 0}, 1000);
+    const vec3 p(0, 1000.001f, 0);
+    const double d = p.y, seen = 1 - 1e6 / (d * d);
+    expect_uniform(counts_in_square(ways_to_lamp(scene, p), p, 16,
+                                    [&](vec3 q) { return vec2((double(q.x) * q.x + double(q.z) * q.z) / (1e6 * seen), turn_of(q)); }));
+}
+
 /// Of a cone from radius 2 to 1/2: the squared radius is uniform.
 TEST_P(EmissiveShape, ConesShineUniformlyByArea) {
     Scene scene = scene_with_lamp();
