@@ -1,5 +1,6 @@
 // The light that a path asks at a surface, and how likely it would have asked for what a ray meets.
 #pragma once
+#include "generated/constants.h"
 #include "generated/emissive_instances.cl"
 #include "generated/environment.cl"
 #include "kernels/core/lanes_1.cl"
@@ -41,7 +42,8 @@ FUNCTION float inverse_light_density(ChosenLight chosen, LightSample sample) {
 /// normal there, on a primitive of this radiance, in that place. 0 where emissive shapes are not asked.
 FUNCTION float emission_density(Scene scene, ShadingRecord record, Placement place, Spectrum radiance, vec3 from, vec3 p, vec3 normal, float distance,
                                 float cosine) {
-    const float by_area = mean_of(radiance) * scene.header->emission_chance * emissive_area_in_group(scene, place, normal);
+    const bool flat = (FLAT_KINDS >> record.kind & 1u) != 0u;
+    const float by_area = mean_of(radiance) * scene.header->emission_chance * emissive_area_in_power(scene, place, normal, flat);
     const vec3 from_in_group = lit_point_in_group(scene, place, from), p_in_group = lit_point_in_group(scene, place, p);
     return by_area * primitive_emission_factor(record, from_in_group, p_in_group) * distance * distance / fabs(cosine);
 }

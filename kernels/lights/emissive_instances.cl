@@ -19,12 +19,22 @@ FUNCTION vec3 area_in_world(Transform m, vec3 n) {
     return plus(scaled(cross3(m.y, m.z), n.x), plus(scaled(cross3(m.z, m.x), n.y), scaled(cross3(m.x, m.y), n.z)));
 }
 
-/// The area in the group's space of a unit area in the world with this unit normal, which M = to_world stretches by |det M| / |Mᵀ n|.
-FUNCTION float emissive_area_in_group(Scene scene, Placement place, vec3 normal) {
-    const Transform m = transforms_of(scene, place_of_light(scene, place)).to_world;
-    const vec3 stretched = make3(dot3(m.x, normal), dot3(m.y, normal), dot3(m.z, normal));
+/// The root of the mean square, over all unit normals, of the area in the world that a unit area of the group's space has.
+FUNCTION float mean_area_in_world(Transform m) {
+    const vec3 x = cross3(m.y, m.z), y = cross3(m.z, m.x), z = cross3(m.x, m.y);
+    return sqrt((dot3(x, x) + dot3(y, y) + dot3(z, z)) * (1.0f / 3.0f));
+}
+
+/// The area for which a unit area in the world with this unit normal n counts in the power by which its light is chosen. M = to_world at the time of
+/// the place makes it of the area |Mᵀ n| / |det M| in the group's space, with a normal along Mᵀ n; in the power that has the area which to_world at
+/// the first time makes of it, or on curved shapes makes of areas in the mean.
+FUNCTION float emissive_area_in_power(Scene scene, Placement place, vec3 normal, bool flat) {
+    const Placement known = place_of_light(scene, place);
+    const Transform m = transforms_of(scene, known).to_world, first = load(&instance_record(scene, known)->to_world);
+    const vec3 across = make3(dot3(m.x, normal), dot3(m.y, normal), dot3(m.z, normal)), area = area_in_world(first, across);
     const float volume = fabs(dot3(m.x, cross3(m.y, m.z)));
-    return instance_number(place) != 0u ? sqrt(dot3(stretched, stretched)) / volume : 1.0f;
+    const float counted = flat ? sqrt(dot3(area, area)) : mean_area_in_world(first) * sqrt(dot3(across, across));
+    return instance_number(place) != 0u ? counted / volume : 1.0f;
 }
 
 /// For light at p. What may move the point off its surface, or the surface off it, counts along the normal n, in the group's space and in the world:

@@ -1,10 +1,12 @@
 #include "scene/lights/light_choices.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
 
+#include "scene/kinds.h"
 #include "scene/lights/aliases.h"
 #include "scene/lights/light.h"
 
@@ -13,13 +15,28 @@ namespace {
 
 double mean_of(Spectrum s) { return (double(s.x) + s.y + s.z) / 3; }
 
+/// The area of an emissive shape in the world, over that in its group's space: see emissive_area_in_power in lights/emissive_instances.cl.
+double stretch_of(const Light &light, const Transform &to_world) {
+    const glm::dmat3 m(to_world.x, to_world.y, to_world.z);
+    if (light.kind == kind_number(light_kinds(), "emissive_flat")) {
+        const auto face = view_of<EmissiveFlat>(light.words);
+        const glm::dvec3 u(face.u), v(face.v);
+        return glm::length(glm::cross(m * u, m * v)) / glm::length(glm::cross(u, v));
+    }
+    const glm::dvec3 x = glm::cross(m[1], m[2]), y = glm::cross(m[2], m[0]), z = glm::cross(m[0], m[1]);
+    return std::sqrt((glm::dot(x, x) + glm::dot(y, y) + glm::dot(z, z)) / 3);
+}
+
 /// Those of lights that are infinitely far are reduced to as much as the others have together, if these have any.
-std::vector<double> powers_of(const LightRows &lights, float extent) {
+std::vector<double> powers_of(const LightRows &lights, const Scene &scene, float extent) {
     std::vector<double> powers;
     double sums[2] = {0, 0};
-    for (const Light &light : lights.rows) {
+    for (std::size_t row = 0; row < lights.rows.size(); ++row) {
+        const Light &light = lights.rows[row];
         const LightKind &kind = light_kinds()[light.kind];
-        sums[kind.is_far] += powers.emplace_back(mean_of(kind.power(light, extent)));
+        const uint instance = lights.shapes[row].instance;
+        const double stretch = instance != 0 ? stretch_of(light, scene.instances[instance - 1].transforms.to_world) : 1;
+        sums[kind.is_far] += powers.emplace_back(mean_of(kind.power(light, extent)) * stretch);
     }
     const double reduction = sums[0] > 0 && sums[1] > sums[0] ? sums[0] / sums[1] : 1;
     for (std::size_t row = 0; row < powers.size(); ++row) powers[row] *= light_kinds()[lights.rows[row].kind].is_far ? reduction : 1;
@@ -29,7 +46,7 @@ std::vector<double> powers_of(const LightRows &lights, float extent) {
 }  // namespace
 
 LightChoices make_light_choices(const LightRows &lights, const Scene &scene, float extent) {
-    const std::vector<double> powers = powers_of(lights, extent);
+    const std::vector<double> powers = powers_of(lights, scene, extent);
     const double sum = std::accumulate(powers.begin(), powers.end(), 0.0);
     if (!(sum > 0)) return {};
     const std::vector<Alias> aliases = make_aliases(powers);

@@ -201,6 +201,15 @@ const std::vector<Lit> curved = {
      }},
 };
 
+/// Flat and round ones, chosen by the area that they have in the world.
+void add_stretched_together(Scene &scene) {
+    add_sphere(scene, 1, {0, 0, 0}, 0.5f), add_frustum(scene, 1, {0, 0, 1}, 0.5f, {0, 1, 1}, 0.2f);
+    add_triangle(scene, 1, {-2, -1, 0.5f}, {-1, -1, 0}, {-2, 1, 0});
+    const uint group = add_group(scene, "lamp", std::exchange(scene.shapes, {}));
+    ASSERT_FALSE(add_instance(scene, group, then(scaling({-0.6, 1, 1.6}), then(rotation(40, {1, 2, 3}), translation({0.5, 0, 1.5}))), NO_MATERIAL));
+    add_sphere(scene, 1, {-1, -1, 1}, 0.3f);
+}
+
 /// Where the half below a matte floor is hidden, and what is above shines, a picture with a bright spot included.
 void add_everything(Scene &scene) {
     scene.background = Spectrum(1, 0.5f, 0.5f), scene.background_turn = 0.3f;
@@ -308,7 +317,8 @@ TEST_P(BothDensities, MakeTheSameLightOfOneWayOrBoth) {
 INSTANTIATE_TEST_SUITE_P(Kernels, EmissionDensity, testing::ValuesIn(all_lit), [](const auto &info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Kernels, BothDensities, testing::ValuesIn(all_lit), [](const auto &info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(KernelsOfCurved, BothDensities, testing::ValuesIn(curved), [](const auto &info) { return std::string(info.param.name); });
-INSTANTIATE_TEST_SUITE_P(KernelsTogether, BothDensities, testing::Values(Lit{"Everything", add_everything}),
+INSTANTIATE_TEST_SUITE_P(KernelsTogether, BothDensities,
+                         testing::Values(Lit{"Everything", add_everything}, Lit{"StretchedTogether", add_stretched_together}),
                          [](const auto &info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(KernelsTogether, EmissionDensity, testing::Values(Lit{"Everything", add_everything}),
                          [](const auto &info) { return std::string(info.param.name); });

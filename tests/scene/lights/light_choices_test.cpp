@@ -43,6 +43,28 @@ TEST(LightChoices, AreAsLikelyAsLightsArePowerful) {
     EXPECT_EQ(choices.environment, 0);
 }
 
+/// Faces have their own area; of curved shapes the mean of squares counts, which is right where all sides are stretched alike.
+TEST(LightChoices, OfInstancesAreByTheirAreaInTheWorld) {
+    const auto share_of = [](glm::dvec3 scale, bool round) {
+        Scene scene = scene_with_lamp();
+        if (round) add_sphere(scene, 1, {0, 0, 0}, 1);
+        const std::vector<double> before = chances(make_light_choices(make_light_rows(scene), scene, 1));
+        std::vector<std::unique_ptr<Shape>> lamp;
+        lamp.push_back(std::move(scene.shapes.back())), scene.shapes.pop_back();
+        const uint group = add_group(scene, "lamp", std::move(lamp));
+        EXPECT_FALSE(add_instance(scene, group, then(scaling(scale), rotation(40, {1, 2, 3})), NO_MATERIAL));
+        scene.lights.push_back(point_light({0, 0, 0}, Spectrum(0.5f)));  // 2 pi
+        const std::vector<double> all = chances(make_light_choices(make_light_rows(scene), scene, 1));
+        return all.back() / all.front();  // of the lamp over that of the point light
+    };
+    EXPECT_NEAR(share_of({1, 1, 1}, false), 1, 1e-6);
+    EXPECT_NEAR(share_of({100, 100, 100}, false), 1e4, 1e-2);
+    EXPECT_NEAR(share_of({-3, 0.5, 7}, false), 1.5, 1e-6);
+    EXPECT_NEAR(share_of({0.01, 0.01, -0.01}, true), 4e-4 * M_PI, 1e-9);
+    const double squares = (0.25 * 49 + 9 * 49 + 9 * 0.25) / 3;
+    EXPECT_NEAR(share_of({-3, 0.5, 7}, true), 4 * M_PI * std::sqrt(squares), 1e-4);
+}
+
 /// The directional light's power is pi r² times its irradiance.
 TEST(LightChoices, OfWhatIsFarAreAtMostHalfWhereSomethingIsNear) {
     Scene scene = scene_with_lamp();
