@@ -65,7 +65,7 @@ typedef struct {
     Span emissive_faces;             ///< EmissiveFace of meshes that shine
     Span materials, lights;
     Span light_choices;     ///< LightChoice by light, for paths
-    float emission_chance;  ///< density by area of paths' points on emissive shapes, in their spaces, over their mean radiance; 0: none are chosen
+    float emission_chance;  ///< density of paths' points by area as power counts it on emissive shapes, over their mean radiance; 0: none are chosen
     Span textures;          ///< TextureRecord
     // If paths ask for light of the background: EnvironmentRow, and of each row where its cells begin, and those of them that are marks.
     Span environment_rows, environment_begins, environment_marks;

@@ -140,7 +140,7 @@ TEST_P(PathLamps, GiveWhatWhittedFindsBothWaysTogetherAndByChanceAlone) {
     scene.integrator.light_samples = 0;
     const Estimate met = estimate(scene);
     EXPECT_TRUE(statistics::plausible(p_of(met, whitted))) << met.mean << " instead of " << whitted.mean;
-EXPECT_EQ(met.shadow_rays, 0u);
+    EXPECT_EQ(met.shadow_rays, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Path, PathLamps, testing::ValuesIn(all_lamps), [](const auto &info) { return std::string(info.param.name); });
@@ -216,7 +216,7 @@ TEST(PathTraps, AMirrorLightsTheTableAsALampBehindItWould) {
     scene.integrator.type = "path";
     const Estimate path = estimate(scene);
     EXPECT_TRUE(statistics::plausible(p_of(path, behind))) << path.mean << " instead of " << behind.mean;
-EXPECT_LT(path.error(), 0.015L * path.mean) << "the test can tell";
+    EXPECT_LT(path.error(), 0.015L * path.mean) << "the test can tell";
 }
 
 /// A lamp under a shade lights the floor, and the floor the ceiling.
@@ -235,5 +235,5 @@ TEST(PathTraps, AFloorLightsTheCeiling) {
     const Estimate met = estimate(scene);
     EXPECT_GT(both.mean, 0.02L);
     EXPECT_TRUE(statistics::plausible(p_of(both, met))) << both.mean << " but by chance " << met.mean;
-EXPECT_LT(std::max(both.error(), met.error()), 0.005L * both.mean) << "the test can tell";
+    EXPECT_LT(std::max(both.error(), met.error()), 0.005L * both.mean) << "the test can tell";
 }
