@@ -11,6 +11,7 @@
 #include "scene/bsdfs/bsdf.h"
 #include "scene/cameras/camera.h"
 #include "scene/kinds.h"
+#include "scene/samplers/sampler.h"
 #include "tests/images/irradiance.h"
 #include "tests/support/rendering.h"
 #include "tests/support/scenes.h"
@@ -185,7 +186,8 @@ namespace {
 Scene moving_lamp(const std::function<void(Scene &)> &add) {
     Scene scene = irradiance::scene_seen_at({0.3f, 0.12f, -0.5f}, {0, 0, 0});
     scene.shutter = {0, 1}, scene.cameras[0].shutter = scene.shutter;
-    scene.film.spp = 64;
+    scene.film.sampler = kind_number(sampler_kinds(), "independent");
+    scene.film.width = 64, scene.film.height = 64, scene.film.spp = 256;
     const uint group = group_of(scene, add);
     const AffineMap end = then(then(rotation(70, {1, 2, 3}), scaling({0.5, 1.2, 2})), translation({0.8, 1.6, 0}));
     move(scene, group, translation({-1, 3, 0.3}), end);
@@ -217,7 +219,7 @@ TEST(MovingLamps, GiveWhatIsFoundOfThemByChance) {
         const irradiance::Estimate met = irradiance::estimate(scene);
         EXPECT_TRUE(statistics::plausible(irradiance::p_of(whitted, met))) << whitted.mean << " but by chance " << met.mean;
         EXPECT_TRUE(statistics::plausible(irradiance::p_of(both, met))) << both.mean << " but by chance " << met.mean;
-        for (const irradiance::Estimate &estimate : {whitted, both}) EXPECT_LT(estimate.error(), 0.015L * met.mean) << "the test can tell";
+        for (const irradiance::Estimate &estimate : {whitted, both}) EXPECT_LT(estimate.error(), 0.003L * met.mean) << "the test can tell";
     }
 }
 
