@@ -85,7 +85,8 @@ FUNCTION void meet_surfaces(Scene scene, Launch launch, uint count, const global
         columns->random.x[c] = direction.x, columns->random.y[c] = direction.y;
         columns->random.choices[c] = place_of_part(row.going, choices.x);
         if (LIGHTS) {
-            const ChosenLight light = light_chosen(scene, place_of_part(row.asking, choices.y), hash(path.branch + APART * launch.row));
+            const ChosenLight light =
+                light_chosen(scene, lit_origin(met), place_of_part(row.asking, choices.y), hash(path.branch + APART * launch.row));
             columns->lights[c] = light.row, columns->inverse_chances[c] = light.inverse_chance, columns->radiances[c] = light.radiance;
         }
     }

@@ -46,7 +46,7 @@ uint choices_of_last(const CompiledScene &compiled) {
         kernel void choose(SCENE_PARAMS, uint shift, global uint *rows) {
             const Scene scene = SCENE;
             const uint i = get_global_id(0);
-            rows[i] = light_chosen(scene, unit_interval(i << shift), hash(i)).row;
+            rows[i] = light_chosen(scene, make3(0.0f, 0.0f, 0.0f), unit_interval(i << shift), hash(i)).row;
         })";
     Kernel kernel(test_device(), "choose.cl", "choose", sources, 1);
     const Buffer<uint> rows(test_device(), kernel.work_items(choices));

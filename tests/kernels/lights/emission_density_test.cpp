@@ -45,7 +45,7 @@ public:
             const vec3 p = make3(x, y, z);
             vec2 square;
             square.x = unit_interval(hash(5u * i)), square.y = unit_interval(hash(5u * i + 1u));
-            const ChosenLight chosen = light_chosen(scene, unit_interval(hash(5u * i + 2u)), hash(5u * i + 4u));
+            const ChosenLight chosen = light_chosen(scene, p, unit_interval(hash(5u * i + 2u)), hash(5u * i + 4u));
             const Light light = SCENE_ARRAY(scene, Light, lights)[chosen.row];
             const LightSample sample = light_sample(scene, light, p, light_random(square, hash(5u * i + 3u)));
             rays[i] = ray_to_light(p, sample.ray_direction, sample.distance, NO_HIT);
