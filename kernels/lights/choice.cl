@@ -25,7 +25,7 @@ FUNCTION ChosenLight light_chosen(Scene scene, vec3 p, float u, uint random) {
     const uint count = scene.header->light_choices.count;
     const uint64 steps = (uint64)((uint)(int)(u * 0x1p24f) << 8) * count + ((uint64)hash(random + 8u) * count >> 24);
     const uint entry = (uint)(steps >> 32);
-    const float place = (float)(int)((uint)steps >> 1) * 0x1p-31f;
+    const float place = unit_interval((uint)steps);
     const uint row = place < choices[entry].kept ? entry : choices[entry].alias;
     ChosenLight chosen;
     chosen.row = row, chosen.inverse_chance = choices[row].inverse_chance, chosen.radiance = choices[row].radiance;
