@@ -19,7 +19,7 @@ typedef struct {
 
 /// For a surface at p, though today lights are chosen by their power, wherever it is: what chooses by p gives emission_density, which is told the
 /// same point as `from`, its own chance too. By u in [0, 1), of 24 bits, below which a hash of `random` decides: however many lights there are, each
-/// interval of u that means a light has 2^32 steps.
+/// interval of u that means a light has 2^24 steps.
 FUNCTION ChosenLight light_chosen(Scene scene, vec3 p, float u, uint random) {
     const global LightChoice *choices = SCENE_ARRAY(scene, LightChoice, light_choices);
     const uint count = scene.header->light_choices.count;
