@@ -13,8 +13,14 @@ kernel void find_interfaces(SCENE_PARAMS, LIVE_PARAMS, global Ray *restrict rays
     Tally tally = {{0u}, {0u}};
     FOR_EACH_ITEM_SERIALLY(i, count) {
         const uint k = live[first + i];
-        Passage passage =
-            passage_of(rays[k], instance_at(sources, k), placed(hits[i], instance_at(instances, i)), crowded[i] != 0, interior_load(interiors, k));
+        const Interior inside = interior_load(interiors, k);
+        const PlacedHit met = placed(hits[i], instance_at(instances, i));
+        if (met.hit.primitive == NO_HIT || (crowded[i] == 0 && !transmits(scene, met))) {  // most rays are at their end
+            interior_store(beyond, i, inside);
+            etas[i] = eta_before(scene, inside, met);
+            continue;
+        }
+        Passage passage = passage_of(rays[k], instance_at(sources, k), met, crowded[i] != 0, inside);
         cross_to_interface(scene, &passage, lost, &tally, 0);
         rays[k] = passage.ray;
         hits[i] = passage.met.hit;

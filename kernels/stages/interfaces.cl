@@ -85,13 +85,19 @@ typedef struct {
     float eta;                ///< index of refraction before it over that behind; at an opaque surface, over the material's
 } Passage;
 
+/// Index of refraction in these media over that of what is hit, which is opaque; 1 after a miss.
+FUNCTION float eta_before(Scene scene, Interior inside, PlacedHit met) {
+    if (met.hit.primitive == NO_HIT) return 1.0f;
+    return interior_medium(inside, SCENE_ARRAY(scene, Material, materials)).eta / material_of(scene, met)->eta;
+}
+
 /// Sees what is on both sides of `met`. False where it is no interface, because the medium that counts stays.
 FUNCTION bool is_interface(Scene scene, Passage *passage, volatile global uint *lost) {
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
     const HitList list = hits_at(scene, passage->ray, passage->source, passage->met, passage->crowded);
     passage->met = foremost(scene, &list);
     if (!transmits(scene, passage->met)) {
-        passage->eta = interior_medium(passage->inside, materials).eta / material_of(scene, passage->met)->eta;
+        passage->eta = eta_before(scene, passage->inside, passage->met);
         return true;
     }
     Face faces[HIT_LIST_SIZE];
