@@ -42,6 +42,7 @@ void use_everything(const Scene &scene, CompiledScene &compiled) {
     compiled.bsdfs = numbers_of(bsdf_kinds()), compiled.lights = numbers_of(light_kinds());
     compiled.moves = compiled.reflects = compiled.transmits = compiled.chooses = compiled.emissive_instances = compiled.environment =
         compiled.highlights = compiled.shading_normals = compiled.tints = true;
+    compiled.facets = 3;
     compiled.bundles = compiled.paths;
     compiled.filters_shadows = !compiled.paths && scene.integrator.filtered_shadows;
     compiled.interior_size = max_interior_size;

@@ -38,6 +38,7 @@ struct CompiledScene {
     bool filters_shadows = false;              ///< whether transparent objects let light through, and there are some
     bool emissive_instances = false;           ///< whether any light is an emissive shape of an instance
     bool environment = false;                  ///< whether the background is a light
+    uint facets = 0;                           ///< a bit for each distribution that rough surfaces have
     bool highlights = false;                   ///< whether any material has one
     bool ideal = false;                        ///< whether any mirrors light, or lets it pass, in single directions
     bool shading_normals = false;              ///< whether any primitive has normals of its own for shading

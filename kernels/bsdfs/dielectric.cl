@@ -19,7 +19,7 @@ FUNCTION Dielectric dielectric_view(const global Material *m) {
 }
 
 /// Whether it is a single direction that light is mirrored into, and one that it is refracted into. Between media of one index nothing bends it.
-FUNCTION bool is_smooth(Dielectric d, float eta) { return !(d.alpha > 0.0f) | (eta == 1.0f); }
+FUNCTION bool is_smooth(Dielectric d, float eta) { return !is_rough(d.alpha) | (eta == 1.0f); }
 
 /// The part of light that a facet mirrors.
 FUNCTION float facet_reflectance(float cosine, float cosine_squared_beyond, float eta) {
@@ -118,11 +118,12 @@ FUNCTION FacetSample facet_sample(Dielectric d, float eta, vec3 wo, vec2 u, floa
 /// have that light.
 FUNCTION vec3 dielectric_direction(Dielectric d, float eta, vec3 wo, vec2 u, float choice) {
     const Diffusion diffusion = diffusion_of(d, eta, wo.z);
-    const float rest = minimum((choice - diffusion.loss) / (1.0f - diffusion.loss), 0.99999994f);
+    const bool is_diffuse = FACETS != 0u && choice < diffusion.loss;
+    const float rest = FACETS != 0u ? minimum((choice - diffusion.loss) / (1.0f - diffusion.loss), 0.99999994f) : choice;
     const FacetSample facet = facet_sample(d, eta, wo, u, rest);
     const vec3 up = shadowed_direction(d.alpha, u), diffuse = where(choice < diffusion.loss * diffusion.mirrored, up, negate(up));
     const bool leaves = facet.mirrors ? facet.wi.z > 0.0f : facet.wi.z < 0.0f;
-    return where(choice < diffusion.loss, diffuse, where(leaves, facet.wi, make3(1.0f, 0.0f, 0.0f)));
+    return where(is_diffuse, diffuse, where(leaves, facet.wi, make3(1.0f, 0.0f, 0.0f)));
 }
 
 FUNCTION BsdfSample dielectric_sample(const global Material *m, BsdfPoint point, vec2 u, float choice) {

@@ -1,6 +1,7 @@
 // Rough surfaces of ideal facets (Walter et al., EGSR 2007; Heitz, JCGT 3(2) 2014), isotropic, about z. `alpha` > 0 is the root mean square of slopes
 // of Beckmann's distribution, and the width of GGX.
 #pragma once
+#include "generated/constants.h"
 #include "kernels/bsdfs/bsdf.h"
 #include "kernels/core/math.cl"
 #include "kernels/core/warp.cl"
@@ -13,6 +14,13 @@ typedef struct {
     uint distribution;  ///< DISTRIBUTION_*
 } Microfacets;
 
+/// Whether a surface is rough, and by which distribution. Of those that no surface of the scene has, FACETS has no bit, and nothing is computed.
+FUNCTION bool is_rough(float alpha) { return FACETS != 0u && alpha > 0.0f; }
+FUNCTION bool is_beckmann(Microfacets m) {
+    const bool has_ggx = (FACETS >> DISTRIBUTION_GGX & 1u) != 0u, has_beckmann = (FACETS >> DISTRIBUTION_BECKMANN & 1u) != 0u;
+    return has_beckmann && (!has_ggx || m.distribution == DISTRIBUTION_BECKMANN);
+}
+
 /// Squared sine of the angle to z, which 1 - z² would round away near it.
 FUNCTION float sine_squared(vec3 w) { return fma(w.x, w.x, w.y * w.y); }
 
@@ -21,7 +29,7 @@ FUNCTION float facet_density(Microfacets m, vec3 h) {
     const float alpha2 = m.alpha * m.alpha, z2 = h.z * h.z, across = sine_squared(h), q = fma(alpha2, z2, across);
     const float ggx = alpha2 / (q * q) * INVERSE_PI;
     const float beckmann = exponential(-across / (alpha2 * z2)) / maximum(alpha2 * z2 * z2, 0x1p-126f) * INVERSE_PI;  // 0 / 0 at z = 0
-    return m.distribution == DISTRIBUTION_BECKMANN ? beckmann : ggx;
+    return is_beckmann(m) ? beckmann : ggx;
 }
 
 /// Area that the facets' visible sides have in direction w, z >= 0, per area of the surface: w.z / G1(w), finite at grazing angles too (Smith).
@@ -30,7 +38,7 @@ FUNCTION float visible_area(Microfacets m, vec3 w) {
     const float ggx = 0.5f * (w.z + sqrt(fma(w.z, w.z, spread * spread)));
     const float a = spread > 0.0f ? w.z / spread : INFINITY, gaussian = exponential(-a * a);
     const float beckmann = fma(0.5f * w.z, 1.0f + error_function(a, gaussian), spread * gaussian * 0.282094792f);  // 1 / 2√π
-    return m.distribution == DISTRIBUTION_BECKMANN ? beckmann : ggx;
+    return is_beckmann(m) ? beckmann : ggx;
 }
 
 /// Of the facets that are visible from one direction, the part that is visible from the other too, wi.z > 0: G2(wo, wi) / G1(wo), of heights that
@@ -75,11 +83,14 @@ FUNCTION vec3 beckmann_visible_normal(float alpha, vec3 w, vec2 u) {
 /// Normal of a facet that is visible from w, z > 0, with density facet_density(h) max(w·h, 0) / visible_area(w).
 FUNCTION vec3 visible_normal(Microfacets m, vec3 w, vec2 u) {
     const vec3 ggx = ggx_visible_normal(m.alpha, w, u), beckmann = beckmann_visible_normal(m.alpha, w, u);
-    return where(m.distribution == DISTRIBUTION_BECKMANN, beckmann, ggx);
+    return where(is_beckmann(m), beckmann, ggx);
 }
 
 /// Direction that an ideal facet of normal h mirrors w into.
 FUNCTION vec3 mirrored(vec3 w, vec3 h) { return minus(scaled(h, 2.0f * dot3(w, h)), w); }
+
+/// Direction that a visible facet mirrors w into. Where no surface is rough, nobody wants to know.
+FUNCTION vec3 mirrored_by_facet(Microfacets m, vec3 w, vec2 u) { return FACETS != 0u ? mirrored(w, visible_normal(m, w, u)) : w; }
 
 /// Facets that mirror light from wi towards wo, whatever part of it; never stored.
 typedef struct {

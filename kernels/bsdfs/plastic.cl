@@ -54,7 +54,7 @@ FUNCTION BsdfValue plastic_eval(const global Material *m, BsdfPoint point, vec3 
     const float coat = plastic_coat(m, p, point.wo.z), chance = plastic_coat_chance(coat, base);
     const float diffuse = (1.0f - coat) * (1.0f - plastic_coat(m, p, wi.z)) * p.scale * wi.z;
     const FacetReflection facet = reflected_by_facets(plastic_facets(p), point.wo, wi);
-    const int rough = p.alpha > 0.0f;
+    const int rough = is_rough(p.alpha);
     const float gloss = where(rough, plastic_fresnel(p, facet.cosine) * facet.value, 0.0f);
     const float pdf = chance * where(rough, facet.pdf, 0.0f) + (1.0f - chance) * INVERSE_PI * wi.z;
     return above_surface(wi.z > 0.0f, plus(scaled(base, diffuse), scaled(point.specular_tint, gloss)), pdf);
@@ -64,9 +64,9 @@ FUNCTION BsdfSample plastic_sample(const global Material *m, BsdfPoint point, ve
     const Plastic p = plastic_view(m);
     const float coat = plastic_coat(m, p, point.wo.z), chance = plastic_coat_chance(coat, plastic_base(p, point.diffuse_tint));
     const int chosen = choice < chance;
-    const vec3 wi = where(chosen, mirrored(point.wo, visible_normal(plastic_facets(p), point.wo, u)), cosine_hemisphere(u));
+    const vec3 wi = where(chosen, mirrored_by_facet(plastic_facets(p), point.wo, u), cosine_hemisphere(u));
     const Spectrum ideal = scaled(point.specular_tint, coat / chance);
-    return sample_or_mirror(chosen & (p.alpha == 0.0f), ideal, point.wo, sample_towards(wi, plastic_eval(m, point, wi)));
+    return sample_or_mirror(chosen & !is_rough(p.alpha), ideal, point.wo, sample_towards(wi, plastic_eval(m, point, wi)));
 }
 
 FUNCTION Spectrum plastic_albedo(const global Material *m, Tints tint) {

@@ -202,8 +202,9 @@ FUNCTION Spectrum met_light(Scene scene, bool is_weighted, Ray ray, float pdf, P
     const Spectrum radiance = emitted(SCENE_ARRAY(scene, Material, materials) + surface.material, surface.flags);
     if (!is_weighted) return radiance;
     const ShadingRecord record = SCENE_ARRAY(scene, ShadingRecord, shading)[SURFACE_PRIMITIVE(surface.flags)];
-    const vec3 straight = minus(surface.origin, ray.origin);
-    const float density = emission_density(scene, record, place, radiance, ray.origin, surface.origin, interface.geometric,
+    // Where it was met but for rounding: surface.origin may be lifted off its face, from which light is asked.
+    const vec3 straight = minus(interface.beyond, ray.origin);
+    const float density = emission_density(scene, record, place, radiance, ray.origin, interface.beyond, interface.geometric,
                                            sqrt(dot3(straight, straight)), dot3(interface.geometric, wo));
     return scaled(radiance, power_heuristic(density / pdf));
 }

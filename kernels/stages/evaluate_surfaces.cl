@@ -49,9 +49,7 @@ kernel void evaluate_surfaces(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
         const vec3 offset = scaled(geometric, dot3(absolute(geometric), surface.error));
         const uint beyond = lit_beyond ? SURFACE_LIT_BEYOND : 0u, back = enters ? 0u : SURFACE_BACK;
         const uint lit = (material->flags & MATERIAL_LIT) != 0u ? SURFACE_LIT : 0u;
-        // What does nothing but shine stays where it is asked for its light.
-        const bool only_shines = (material->flags & (MATERIAL_SHINES | MATERIAL_LIT)) == MATERIAL_SHINES;
-        const bool is_lifted = PATHS && SHADING_NORMALS && !transmits && !only_shines;
+        const bool is_lifted = PATHS && SHADING_NORMALS && !transmits;
         SurfacePoint point;
         point.origin = spawn_origin(is_lifted ? plus(surface.p, surface.lift) : surface.p, offset);
         point.material = on_surface ? material_index : 0u;

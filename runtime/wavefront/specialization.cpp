@@ -108,12 +108,13 @@ Sources specialize(const CompiledScene &scene, RayLanes lanes, Times times) {
         "#pragma once\n#define BRANCHING {}u\n#define TRANSMITS {}\n#define FOLLOWS_ONE {}\n#define INTERIOR_SIZE {}u\n#define HIGHLIGHTS "
         "{}\n#define SHADING_NORMALS {}\n#define PATHS {}\n"
         "#define INSTANCES {}\n#define INSTANCES_MOVE {}\n#define LIGHTS {}\n#define BUNDLES {}\n#define ONE_BSDF {}\n#define CHOOSES {}\n#define "
+        "FACETS {}u\n#define "
         "INSTANCE_KIND "
         "{}u\n#define FLAT_KINDS "
         "{:#x}u\n",
         branching(scene), scene.transmits ? 1 : 0, scene.follows_one ? 1 : 0, scene.interior_size, scene.highlights ? 1 : 0,
         scene.shading_normals ? 1 : 0, scene.paths ? 1 : 0, scene.instances ? 1 : 0, moves ? 1 : 0, scene.header.light_choices.count > 0 ? 1 : 0,
-        scene.bundles ? 1 : 0, scene.bsdfs.size() == 1 ? 1 : 0, scene.chooses ? 1 : 0, scene.primitives.size(), flat_kinds(scene));
+        scene.bundles ? 1 : 0, scene.bsdfs.size() == 1 ? 1 : 0, scene.chooses ? 1 : 0, scene.facets, scene.primitives.size(), flat_kinds(scene));
     return sources;
 }
 

@@ -64,7 +64,7 @@ Material read_conductor(const Parameters &parameters, Scene &scene) {
     conductor.specular = specular.value;
     conductor.alpha = facets.alpha, conductor.distribution = facets.distribution;
     if (facets.alpha > 0) add_multiple_reflection(conductor, facets);
-    const uint flags = facets.alpha > 0 ? MATERIAL_LIT | MATERIAL_GLOSSY : MATERIAL_IDEAL;
+    const uint flags = facets.alpha > 0 ? MATERIAL_LIT | MATERIAL_GLOSSY | flags_of(facets) : MATERIAL_IDEAL;
     Material material = material_of_kind("conductor", largest(specular.value) > 0 ? flags : 0, conductor);
     material.specular_texture = specular.texture;
     read_emission(parameters, material);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernels/core/scene.h"
 #include "scene/parameters.h"
 
 namespace brandung {
@@ -51,6 +52,8 @@ Facets read_facets(const Parameters &parameters, float roughness) {
 
 /// Of normals by the part of them that are steeper, and their azimuth: D and the measure cancel. A step with two smooth derivatives takes the roots
 /// at both ends away.
+uint flags_of(const Facets &facets) { return facets.alpha > 0 ? MATERIAL_FACETS << facets.distribution : 0; }
+
 double reflectance_of(const Facets &facets, const Reflectance &of_facet, double cosine) {
     const double sine = std::sqrt((1 - cosine) * (1 + cosine)), area = visible_area(facets, cosine);
     double sum = 0;

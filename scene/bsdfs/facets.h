@@ -19,6 +19,9 @@ struct Facets {
 /// normals of their facets apart.
 Facets read_facets(const Parameters &parameters, float roughness);
 
+/// MATERIAL_... by which kernels know that they are needed: none of a smooth surface.
+uint flags_of(const Facets &facets);
+
 /// Of light at an angle of this cosine.
 using Reflectance = std::function<double(double cosine)>;
 

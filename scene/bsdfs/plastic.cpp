@@ -49,7 +49,7 @@ Material read_plastic(const Parameters &parameters, Scene &scene) {
     add_boundary(plastic, facets, eta);
     const bool is_diffuse = largest(diffuse.value) > 0;
     const uint flags = (facets.alpha > 0 || is_diffuse ? MATERIAL_LIT | MATERIAL_GLOSSY : 0) | (is_diffuse ? MATERIAL_DIFFUSE : 0) |
-                       (facets.alpha > 0 ? 0 : MATERIAL_IDEAL);
+                       (facets.alpha > 0 ? flags_of(facets) : MATERIAL_IDEAL);
     Material material = material_of_kind("plastic", flags, plastic);
     material.diffuse_texture = diffuse.texture;
     read_emission(parameters, material);

@@ -73,6 +73,7 @@ void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
         compiled.transmits |= (material.flags & MATERIAL_TRANSMITS) != 0;
         compiled.chooses |= chooses(material);
         compiled.ideal |= (material.flags & MATERIAL_IDEAL) != 0 || lets_light_pass(material);
+        compiled.facets |= material.flags / MATERIAL_FACETS & 3;
         compiled.highlights |= (material.flags & MATERIAL_HIGHLIGHT) != 0;
         compiled.bundle = std::max(compiled.bundle, bundle_size(material, sizes));
     }

@@ -31,7 +31,8 @@ TEST(Microfacet, ConductorsReflectByFresnelsLaw) {
         kernel void probe(const global vec3 *x, global float *results) {
             const uint i = get_global_id(0);
             results[i] = conductor_fresnel(x[i].x, x[i].y, x[i].z);
-        })")
+        })",
+                                             {{"generated/constants.h", "#define FACETS 3u\n"}})
                                            .run<float>(cases);
     for (std::size_t i = 0; i < cases.size(); ++i)
         ASSERT_NEAR(results[i], reflectance(cases[i].x, {cases[i].y, cases[i].z}), 2e-6) << cases[i].x << " " << cases[i].y << " " << cases[i].z;

@@ -20,7 +20,7 @@ Probe &probe_of(const std::string &kind, const std::string &call, const std::str
         probe = std::make_unique<Probe>("#include \"kernels/bsdfs/" + kind + R"(.cl"
             kernel void probe(const global Material *m, const global float *eta, const global float *diffuse_tint,
                               const global float *specular_tint, const global vec3 *wo, const global vec3 *x, global )" +
-                                        result + R"( *results) {
+                                            result + R"( *results) {
                 const uint i = get_global_id(0);
                 BsdfPoint point;
                 point.wo = load(wo + i), point.eta = *eta;
@@ -30,7 +30,8 @@ Probe &probe_of(const std::string &kind, const std::string &call, const std::str
                 vec2 u;
                 u.x = number.x, u.y = number.y;
                 results[i] = )" + kind + call +
-                                        "; }");
+                                            "; }",
+                                        Sources{{"generated/constants.h", "#define FACETS 3u\n"}});
     return *probe;
 }
 

@@ -38,8 +38,8 @@ template <class View> View view_of(const Material &material) {
     return view;
 }
 
-/// But for those of bundles.
-uint flags_of(const std::string &text) { return read(text).flags & ~(MATERIAL_DIFFUSE | MATERIAL_GLOSSY | MATERIAL_PASSES); }
+/// But for those of bundles and facets.
+uint flags_of(const std::string &text) { return read(text).flags & ~(MATERIAL_DIFFUSE | MATERIAL_GLOSSY | MATERIAL_PASSES | 3 * MATERIAL_FACETS); }
 
 bool is_ideal(const std::string &text) { return (flags_of(text) & MATERIAL_IDEAL) != 0; }
 

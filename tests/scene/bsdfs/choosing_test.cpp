@@ -116,4 +116,20 @@ TEST(ChoosingMaterials, TexturesOfMembersWantCoordinates) {
     }
 }
 
+/// Of the material "m", which may choose among others.
+uint facets_in_use(const std::string &materials) { return compile(scene_with(materials)).facets; }
+
+/// Kernels have no code for other facets than those that can be met.
+TEST(Facets, AreKnownByTheirDistributions) {
+    const std::string ggx = R"({"name": "ggx", "type": "conductor", "metal": "gold", "roughness": 0.3})",
+                      beckmann = R"({"name": "beckmann", "type": "dielectric", "roughness": 0.3, "distribution": "beckmann"})";
+    EXPECT_EQ(facets_in_use(R"({"name": "m", "type": "conductor", "metal": "gold"},)" + ggx), 0u);
+    EXPECT_EQ(facets_in_use(R"({"name": "m", "type": "plastic", "roughness": 0.3})"), 1u);
+    EXPECT_EQ(facets_in_use(R"({"name": "m", "type": "dielectric", "roughness": 0.3, "distribution": "beckmann"})"), 2u);
+    EXPECT_EQ(facets_in_use(ggx + "," + beckmann + R"(,{"name": "m", "type": "mix", "first": "ggx", "second": "b"})"), 1u);
+    EXPECT_EQ(facets_in_use(ggx + R"(,{"name": "rough", "type": "plastic", "roughness": 0.3, "distribution": "beckmann"})" +
+                            R"(,{"name": "m", "type": "mix", "first": "ggx", "second": "rough"})"),
+              3u);
+}
+
 }  // namespace brandung

@@ -13,5 +13,6 @@
 #define BUNDLES 1
 #define ONE_BSDF 0
 #define CHOOSES 1
+#define FACETS 3u
 #define INSTANCE_KIND 4u
 #define FLAT_KINDS 0x3u
