@@ -100,7 +100,7 @@ Renderer::Renderer(Device &device, const Scene &scene, const CompiledScene &comp
       camera_motion_(device, camera_motion(camera, scene_shutter_).value()),
       shutter_(shutter_params(camera, scene_shutter_, camera_motion_.size())),
       interior_(media_of_eye(scene, compiled, camera)),
-      filter_(device, film_settings_, on_device.lists()),
+      filter_(device, film_settings_, on_device.lists(), options_.batch),
       integrator_(integrator_of(scene).make(
           {device, scene, compiled, on_device, camera_kinds()[camera.kind], !camera.keys.empty(), filter_, options_.batch, options_.on_step})),
       pixels_(device, options_.batch),
@@ -115,7 +115,8 @@ void Renderer::look_from(const CameraDescription &camera) {
 std::size_t Renderer::wave_bytes() const { return integrator_->wave_bytes() + filter_.bytes() + pixels_.bytes() + samples_.bytes(); }
 
 RenderEnd Renderer::render(Film &film, const std::vector<Observer> &observers, Aovs *aovs) {
-    RenderProgress progress{.samples_total = film.window().pixels() * film_settings_.spp, .open_ended = film_settings_.spp == max_samples};
+    RenderProgress progress{.samples_total = sampled_window(film_settings_).pixels() * film_settings_.spp,
+                            .open_ended = film_settings_.spp == max_samples};
     RenderEnd end;
     try {
         end.stopped_by = render_passes(film, progress, observers, aovs);
@@ -135,7 +136,7 @@ StoppedBy Renderer::render_passes(Film &film, RenderProgress &progress, const st
     bool goes_on = true, in_time = true;
     for (uint samples = schedule.next_pass(); samples > 0; samples = schedule.next_pass()) {
         const uint pixels_at_once = options_.batch / samples;
-        PixelOrder order(film.window());
+        PixelOrder order(sampled_window(film_settings_));
         for (auto pixels = order.next(pixels_at_once); goes_on && in_time && !pixels.empty(); pixels = order.next(pixels_at_once)) {
             render_batch(film, pixels, schedule.samples_done(), samples, aovs, nullptr);
             if (progress.samples_done == 0) schedule.start_clock(announcement.seconds());
@@ -170,7 +171,8 @@ void Renderer::render_batch(Film &film, const std::vector<uint> &pixels, uint fi
     const Batch batch = batch_of(pixels, first, samples, aovs);
     integrator_->render(batch, samples_, observer);
     filter_.weigh(batch, samples_);
-    film.add(batch, samples_);
+    filter_.place(batch);
+    film.add(batch, samples_, filter_.splats());
     if (aovs) aovs->add(batch, filter_);
     device_.finish();
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/filters/filter.h"
+
 namespace brandung {
 namespace {
 
@@ -14,7 +16,7 @@ constexpr double flattest = 0.5, steepest = 3;  ///< slopes that noise may have:
 
 uint Schedule::next_pass() const {
     if (done_ == film_.spp || has_reached_error()) return 0;
-    const std::uint64_t pixels = film_.window().pixels();
+    const std::uint64_t pixels = sampled_window(film_).pixels();
     std::uint64_t pass = done_ == 0 && film_.spp > few ? 1 : few;
     if (rules_.seconds) pass = std::min<std::uint64_t>(pass, std::max(done_, 1u));
     pass = std::max(pass, batch_ / pixels);

@@ -9,6 +9,7 @@
 #include "scene/compilation/parts.h"
 #include "scene/compilation/sizes.h"
 #include "scene/error.h"
+#include "scene/filters/filter.h"
 #include "scene/lights/light.h"
 #include "scene/materials_in_use.h"
 #include "scene/places.h"
@@ -62,7 +63,7 @@ CompiledScene compile(const Scene &scene, const CompileOptions &options) {
     add_lights(scene, compiled, arena);
     expect_to_fit(scene, compiled, options.limit);
     if (options.kinds == Kinds::all) use_everything(scene, compiled);
-    compiled.filter = scene.film.filter;
+    compiled.filter = splats(scene.film) ? 0 : scene.film.filter;
     compiled.sampler = scene.film.sampler;
     compiled.header.background = scene.background;
     compiled.header.ambient = scene.ambient;

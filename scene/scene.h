@@ -55,6 +55,7 @@ struct FilmSettings {
     uint sampler = 0;                 ///< its place in sampler_kinds()
     uint filter = 0;                  ///< its place in filter_kinds()
     float filter_radius = 0.5f;       ///< [pixels]
+    bool splat = false;               ///< samples count in all pixels that the filter reaches, if it is not the pixel itself
     std::vector<uint> aovs;           ///< beside radiance: places in aov_kinds(), in order
     std::optional<Window> crop;       ///< the part to render, if not all
     float exposure = 0;               ///< of pictures of integers [EV]

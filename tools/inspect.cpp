@@ -56,8 +56,9 @@ nlohmann::json inspect(const Options &options) {
     const Place place = read_place(options.place, scene.film);
     const SampleRange samples = read_samples(options.sample, scene.film.spp);
     Job job(scene, options);
+    Film of_own_samples(job.device, scene.film.window());
     const InspectedPixel pixel =
-        inspect_pixel({job.device, job.on_device, job.renderer, job.film, scene.film.spp, options.batch}, place.x, place.y, samples);
+        inspect_pixel({job.device, job.on_device, job.renderer, of_own_samples, scene.film.spp, options.batch}, place.x, place.y, samples);
     return inspection_json(scene, job.compiled, pixel, place.x, place.y);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "runtime/inspection/reasons.h"
+#include "scene/filters/filter.h"
 #include "scene/vectors.h"
 #include "tools/scene_objects.h"
 
@@ -220,6 +221,7 @@ json inspection_json(const Scene &scene, const CompiledScene &compiled, const In
             {"width", scene.film.width},
             {"height", scene.film.height},
             {"spp", scene.film.spp},
+            {"splat", splats(scene.film)},
             {"seed", scene.film.seed},
             {"integrator", scene.integrator.type},
             {"max_depth", scene.integrator.max_depth},

@@ -224,7 +224,7 @@ std::string inspection_text(const json &inspection, bool brief) {
     }
     const json &pixel = inspection["pixel"];
     lines.field("sum of pixel", fmt::format("{} in {} samples", fixed_point(pixel["fixed_point"]), text_of(pixel["samples"])));
-    lines.field("pixel", floats(pixel["radiance"]));
+    lines.field(inspection["splat"] ? "mean of its own samples, which count in the pixels about it too" : "pixel", floats(pixel["radiance"]));
     return lines.text();
 }
 

@@ -47,7 +47,7 @@ Job::Job(const Scene &scene, const SceneOptions &options, JobWatch watch, const 
       choice(timed(seconds.choice, [&] { return choose(scene, camera, options, watch); })),
       compiled(timed(seconds.scene, [&] { return compile(scene, compile_options(device, choice, watch)); })),
       on_device(timed(seconds.device, [&] { return DeviceScene(device, compiled); })),
-      film(timed(seconds.kernels, [&] { return Film(device, scene.film.window()); })),
+      film(timed(seconds.kernels, [&] { return Film(device, scene.film); })),
       aovs(timed(seconds.kernels,
                  [&] {
                      std::optional<Aovs> aovs;

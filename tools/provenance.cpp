@@ -37,6 +37,7 @@ std::map<std::string, std::string> settings_of(const Job &job) {
             {"sampler", sampler_kinds()[film.sampler].name},
             {"filter", filter_kinds()[film.filter].name},
             {"filter_radius", fmt::format("{}", film.filter_radius)},
+            {"splat", splats(film) ? "yes" : "no"},
             {"pixel", positions[film.pixel]}};
 }
 

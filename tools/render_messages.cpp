@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "scene/filters/filter.h"
 #include "scene/formats/limits.h"
 #include "tools/report.h"
 #include "tools/report_text.h"
@@ -53,7 +54,7 @@ void print_plan(const Job &job, const StopRules &stop) {
 
 void print_noise(const Job &job, const RenderEnd &end, const std::string &prefix) {
     if (!end.noise) return;
-    const double spp = static_cast<double>(end.samples_done) / static_cast<double>(job.film.window().pixels());
+    const double spp = static_cast<double>(end.samples_done) / static_cast<double>(sampled_window(job.scene.film).pixels());
     std::string text = fmt::format("{}noise: relMSE {:.3g}, with a confidence of 95 % from {:.3g} to {:.3g}, after {:.4g} spp", prefix,
                                    end.noise->relmse, end.noise->low, end.noise->high, spp);
     std::string separator = "; wrong beyond that: ";

@@ -31,7 +31,7 @@ std::vector<std::string> features_in_use(const Job &job) {
     used.push_back(fmt::format("accelerator {}{}{}", compiled.accelerator->name, quality(job) == "high" ? ", quality high" : "",
                                job.choice ? ", " + text_of(*job.choice) : ""));
     used.push_back(std::string("sampler ") + sampler_kinds()[compiled.sampler].name);
-    used.push_back(std::string("filter ") + filter_kinds()[compiled.filter].name);
+    used.push_back(fmt::format("filter {}{}", filter_kinds()[scene.film.filter].name, splats(scene.film) ? ", splatted" : ""));
     for (const uint aov : scene.film.aovs) used.push_back(std::string("AOV ") + aov_kinds()[aov].name);
     used.push_back("integrator " + scene.integrator.type);
     if (compiled.bundles) used.push_back("bundles of rays: " + text_of(scene.integrator.bundles_in_use()));
@@ -73,6 +73,7 @@ std::vector<Skipped> kinds_not_in_use(const CompiledScene &compiled) {
 std::vector<Skipped> all_skipped(const Job &job) {
     std::vector<Skipped> skipped = kinds_not_in_use(job.compiled);
     if (!job.aovs) skipped.push_back({"record_aov", "no AOV is asked for"});
+    if (!job.renderer.filter().splats()) skipped.push_back({"add_splats", "each sample counts in its pixel alone"});
     if (!job.renderer.filter().has_weights()) skipped.push_back({"weigh_samples", "no sample has a negative weight"});
     for (const Skipped &other : job.renderer.integrator().skipped()) skipped.push_back(other);
     if (job.compiled.media > max_interior_size)

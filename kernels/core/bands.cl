@@ -2,7 +2,12 @@
 #pragma once
 #include "kernels/core/params.h"
 
-FUNCTION bool is_in_band(uint pixel, FilmBand band) { return (pixel >> 16) - band.first_row < band.rows; }  // above the band it wraps around
-FUNCTION uint place_in_band(uint pixel, FilmBand band) {
-    return ((pixel >> 16) - band.first_row) * band.width + ((pixel & 0xffffu) - band.first_column);
+/// Whether the pixel that lies (x, y) to the right and below is in the band: what is above or to the left wraps around.
+FUNCTION bool leads_into_band(uint pixel, int x, int y, FilmBand band) {
+    return (pixel >> 16) + (uint)y - band.first_row < band.rows && (pixel & 0xffffu) + (uint)x - band.first_column < band.width;
 }
+FUNCTION uint place_led_to(uint pixel, int x, int y, FilmBand band) {
+    return ((pixel >> 16) + (uint)y - band.first_row) * band.width + ((pixel & 0xffffu) + (uint)x - band.first_column);
+}
+FUNCTION bool is_in_band(uint pixel, FilmBand band) { return leads_into_band(pixel, 0, 0, band); }
+FUNCTION uint place_in_band(uint pixel, FilmBand band) { return place_led_to(pixel, 0, 0, band); }

@@ -89,8 +89,14 @@ typedef struct {
     uint counts[2];
 } FilmPixel;
 
-/// A pixel's sums of values in fixed point, and how many samples have one.
+/// Where samples count in several pixels, FilmPixel has their values and squares times their weights, and counts the pixel's own samples; here are
+/// the sums of the weights and of their squares, in units of 2^-30.
+typedef struct {
+    uint64 sums[2], squares[2];
+} PixelWeights;
+
+/// A pixel's sums of values in fixed point, and of the weights of samples that have one, in units of 2^-30.
 typedef struct {
     int64 sums[3];
-    uint count, spare;
+    uint64 weights;
 } AovPixel;

@@ -1,10 +1,8 @@
 // From the values of a batch's samples to sums of pixels.
+#include "kernels/aovs/fixed_point.cl"
 #include "kernels/core/bands.cl"
 #include "kernels/core/items.cl"
 #include "kernels/core/lanes_1.cl"
-
-/// To the nearest; magnitudes are cut at 2^38, so that 2^24 of them fit an int64.
-FUNCTION int64 fixed_point(float x) { return (int64)rint(minimum(maximum(x, -0x1p38f), 0x1p38f)); }
 
 /// Adds values to their pixels, as far as these are in the band, in units of 1 / scale, a power of two. Those with infinity in x do not count.
 kernel void add_aov(BatchParams batch, FilmBand band, float scale, const global uint *restrict pixels, const global vec3 *restrict values,
@@ -16,7 +14,7 @@ kernel void add_aov(BatchParams batch, FilmBand band, float scale, const global 
             const vec3 value = scaled(values[i * batch.samples + j], scale);
             if (!(isfinite(value.x) && isfinite(value.y) && isfinite(value.z))) continue;
             pixel->sums[0] += fixed_point(value.x), pixel->sums[1] += fixed_point(value.y), pixel->sums[2] += fixed_point(value.z);
-            pixel->count += 1u;
+            pixel->weights += 1ul << 30;
         }
     }
 }

@@ -1,9 +1,8 @@
 // From the samples of a batch to the film.
 #include "kernels/core/bands.cl"
+#include "kernels/core/bright_samples.cl"
 #include "kernels/core/integer128.cl"
 #include "kernels/core/items.cl"
-
-#define LARGEST_SAMPLE (1l << 48)  ///< 2^16
 
 /// Adds the batch's samples to their pixels, as far as these are in the band; clamped[0] counts the samples that were cut at ±2^16.
 kernel void add_samples(BatchParams batch, FilmBand band, const global uint *restrict pixels, const global Sample *restrict samples,
@@ -13,15 +12,12 @@ kernel void add_samples(BatchParams batch, FilmBand band, const global uint *res
         global FilmPixel *pixel = film + place_in_band(pixels[i], band);
         for (uint j = 0u; j < batch.samples; ++j) {
             const uint half_of_sample = batch.first_sample + j & 1u;
-            bool too_bright = false;
+            int64 values[3];
+            if (cut(samples[i * batch.samples + j].sum, values)) atomic_inc(clamped);
             for (uint c = 0u; c < 3u; ++c) {
-                const Integer128 sum = samples[i * batch.samples + j].sum[c];
-                const int64 value = nearest_within(LARGEST_SAMPLE, sum);
-                too_bright |= !equal(sum, value);
-                add(&pixel->sums[half_of_sample][c], value);
-                add(&pixel->squares[half_of_sample][c], (uint64)value * (uint64)value, (uint64)mul_hi(value, value));
+                add(&pixel->sums[half_of_sample][c], values[c]);
+                add(&pixel->squares[half_of_sample][c], (uint64)values[c] * (uint64)values[c], (uint64)mul_hi(values[c], values[c]));
             }
-            if (too_bright) atomic_inc(clamped);
             pixel->counts[half_of_sample] += 1u;
         }
     }

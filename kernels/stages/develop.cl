@@ -1,9 +1,7 @@
 // From exact sums to a picture.
-#include "kernels/core/integer128.cl"
+#include "kernels/core/halves.cl"
 #include "kernels/core/items.cl"
 #include "kernels/core/lanes_1.cl"
-
-FUNCTION float sum_of_halves(const global FilmPixel *pixel, uint c) { return to_float(plus(pixel->sums[0][c], pixel->sums[1][c])); }
 
 /// picture[i] is the mean radiance of pixel i, row by row from the top; black where there is no sample.
 kernel void develop(uint count, const global FilmPixel *restrict film, global Spectrum *restrict picture) {

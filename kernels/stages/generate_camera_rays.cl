@@ -17,10 +17,8 @@ kernel void generate_camera_rays(Camera camera, ShutterParams shutter, const glo
         const PixelSample which = pixel_sample(i, batch, pixels);
         const uint pixel = which.pixel, sample = which.sample;
         const uint px = pixel & 0xffffu, py = pixel >> 16;
-        const vec2 jitter = sampler_pixel_position(pixel, sample, batch);
-        const bool jittered = (batch.position == PIXEL_RANDOM) | (batch.spp > 1u);
-        const float u = filter_place(jittered ? jitter.x : 0.5f, filter, filter_table);
-        const float v = filter_place(jittered ? jitter.y : 0.5f, filter, filter_table);
+        const vec2 place = place_in_square(which, batch);
+        const float u = filter_place(place.x, filter, filter_table), v = filter_place(place.y, filter, filter_table);
         const bool corner = batch.position == PIXEL_CORNER;
         const float x = corner ? (float)(int)px / (float)(int)(max(camera.width, 2u) - 1u) : ((float)(int)px + u) / (float)(int)camera.width;
         const float y = corner ? (float)(int)py / (float)(int)(max(camera.height, 2u) - 1u) : ((float)(int)py + v) / (float)(int)camera.height;

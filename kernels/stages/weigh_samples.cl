@@ -2,16 +2,9 @@
 #include "kernels/core/integer128.cl"
 #include "kernels/core/items.cl"
 #include "kernels/filters/sign.cl"
+#include "kernels/filters/weighed.cl"
 
 #define LARGEST_WEIGHED (1l << 49)  ///< 2^17, which is above what add_samples cuts and counts
-
-/// value * weight, weight in units of 2^-30, to the nearest.
-FUNCTION int64 weighed(int64 value, uint weight) {
-    const uint64 magnitude = abs(value), rounding = 1ul << 29;
-    const uint64 low = magnitude * weight, high = mul_hi(magnitude, (uint64)weight) + (low + rounding < low);
-    const int64 result = (int64)(high << 34 | (low + rounding) >> 30);
-    return value < 0l ? -result : result;
-}
 
 /// Multiplies samples[i] by its weight.
 kernel void weigh_samples(BatchParams batch, FilterParams filter, const global uint *restrict pixels, uint count, global Sample *restrict samples) {

@@ -30,6 +30,7 @@ float scale_of_lengths(float extent, const CameraDescription &camera, PictureSiz
 }
 
 constexpr float scale_of_units = 0x1p32f;
+constexpr double weight_unit = 0x1p-30;
 
 float scale_of(const AovKind &kind, float extent, const CameraDescription &camera, PictureSize size) {
     return kind.what == AovKind::length ? scale_of_lengths(extent, camera, size) : scale_of_units;
@@ -42,21 +43,25 @@ void add_channels(const AovKind &kind, const std::vector<AovPixel> &pixels, floa
     for (std::size_t c = 0; c < kind.channels.size(); ++c) {
         PictureChannel &channel = channels.emplace_back(PictureChannel{kind.channels[c], {}, {}});
         for (const AovPixel &pixel : pixels)
-            channel.floats.push_back(pixel.count ? static_cast<float>(static_cast<double>(pixel.sums[c]) / pixel.count / static_cast<double>(scale))
-                                                 : kind.nothing);
+            channel.floats.push_back(pixel.weights
+                                         ? static_cast<float>(static_cast<double>(pixel.sums[c]) /
+                                                              (static_cast<double>(pixel.weights) * weight_unit * static_cast<double>(scale)))
+                                         : kind.nothing);
     }
 }
 
 /// Of what the film knows.
-void add_channels(const AovKind &kind, const std::vector<FilmPixel> &pixels, std::vector<PictureChannel> &channels) {
+void add_channels(const AovKind &kind, const std::vector<FilmPixel> &pixels, const std::vector<PixelWeights> &weights,
+                  std::vector<PictureChannel> &channels) {
     const std::size_t first = channels.size();
     for (const std::string &name : kind.channels) channels.push_back({name, {}, {}});
-    for (const FilmPixel &pixel : pixels) {
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const FilmPixel &pixel = pixels[i];
         if (kind.what == AovKind::count) {
             channels[first].numbers.push_back(pixel.counts[0] + pixel.counts[1]);
             continue;
         }
-        const vec3 error = standard_error(pixel);
+        const vec3 error = standard_error(weights.empty() ? PixelHalves(pixel) : PixelHalves(pixel, weights[i]));
         for (int c = 0; c < 3; ++c) channels[first + static_cast<std::size_t>(c)].floats.push_back(error[c]);
     }
 }
@@ -81,6 +86,7 @@ Aovs::Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, co
     if (!means_.empty() && !camera_kinds()[camera.kind].sees_everywhere)
         gaps_.emplace(Gaps{Kernel(device, "kernels/stages/spread_values.cl", "spread_values", Sources()), Buffer<vec3>(device, batch)});
     if (!means_.empty()) add_.emplace(device, "kernels/stages/add_aov.cl", "add_aov", Sources());
+    if (!means_.empty() && splats(scene.film)) add_splats_.emplace(device, "kernels/stages/add_aov_splats.cl", "add_aov_splats", Sources());
 }
 
 void Aovs::begin(const CameraDescription &camera) {
@@ -114,11 +120,22 @@ void Aovs::record(const Batch &batch, const DeviceScene &scene, const Wave &wave
 
 void Aovs::add(const Batch &batch, Filter &filter) {
     for (Mean &mean : means_) {
-        if (mean.kind.what == AovKind::filtered) filter.weigh(batch, mean.values);
-        for (Band<AovPixel> &band : mean.sums)
-            (*add_)(batch.params.pixels, batch.params, band.params, mean.scale, batch.pixels, several(mean.values, batch.params.samples),
-                    updated(band.pixels));
+        const bool is_filtered = mean.kind.what == AovKind::filtered;
+        if (is_filtered) filter.weigh(batch, mean.values);
+        for (Band<AovPixel> &band : mean.sums) {
+            const Access values = several(mean.values, batch.params.samples);
+            if (is_filtered && filter.splats())
+                add_splats(batch, *filter.splats(), mean.scale, values, band);
+            else
+                (*add_)(batch.params.pixels, batch.params, band.params, mean.scale, batch.pixels, values, updated(band.pixels));
+        }
     }
+}
+
+void Aovs::add_splats(const Batch &batch, const Splats &splats, float scale, const Access &values, Band<AovPixel> &band) {
+    for (const Splat &splat : splats.all())
+        (*add_splats_)(batch.params.pixels, batch.params, band.params, scale, splat, shared(splats.filter_values()), batch.pixels,
+                       several(splats.places(), batch.params.samples), values, updated(band.pixels));
 }
 
 std::vector<PictureChannel> Aovs::develop(const Film &film) const {
@@ -130,7 +147,8 @@ std::vector<PictureChannel> Aovs::develop(const Film &film) const {
     }
     if (of_film_.empty()) return channels;
     const std::vector<FilmPixel> pixels = film.read();
-    for (const AovKind *kind : of_film_) add_channels(*kind, pixels, channels);
+    const std::vector<PixelWeights> weights = film.read_weights();
+    for (const AovKind *kind : of_film_) add_channels(*kind, pixels, weights, channels);
     return channels;
 }
 

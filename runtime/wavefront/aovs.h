@@ -58,11 +58,14 @@ private:
         Kernel record;
         Bands<uint> numbers;  ///< from 1 on; 0 for none
     };
+    /// Of values that are filtered.
+    void add_splats(const Batch &batch, const Splats &splats, float scale, const Access &values, Band<AovPixel> &band);
+
     std::list<Mean> means_;
     std::optional<Gaps> gaps_;
     PictureSize size_;
-    float extent_;               ///< of the world
-    std::optional<Kernel> add_;  ///< for means
+    float extent_;                            ///< of the world
+    std::optional<Kernel> add_, add_splats_;  ///< for means
     std::list<Number> numbers_;
     std::vector<const AovKind *> of_film_;  ///< those that follow from the film's sums
 };

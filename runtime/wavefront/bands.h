@@ -34,6 +34,9 @@ public:
     void clear() {
         for (Band<Pixel> &band : bands_) band.pixels.fill_zero();
     }
+    std::size_t size() const { return bands_.size(); }
+    Band<Pixel> &operator[](std::size_t i) { return bands_[i]; }
+    const Band<Pixel> &operator[](std::size_t i) const { return bands_[i]; }
     auto begin() { return bands_.begin(); }
     auto end() { return bands_.end(); }
     auto begin() const { return bands_.begin(); }

@@ -6,6 +6,7 @@
 #include "runtime/wavefront/bands.h"
 #include "runtime/wavefront/batch.h"
 #include "runtime/wavefront/noise.h"
+#include "runtime/wavefront/splats.h"
 
 namespace brandung {
 
@@ -14,29 +15,42 @@ public:
     /// Black. Bands of rows are allocations of their own, none larger than `largest_band` [bytes], unless one row is, or than the device allows.
     /// Throws Error, with the sizes, if the device's memory is too small, and BuildError.
     Film(Device &device, const Window &window, std::size_t largest_band = std::numeric_limits<std::size_t>::max());
+    /// As the settings have it; of filters whose samples are splatted it has the weights too.
+    Film(Device &device, const FilmSettings &settings, std::size_t largest_band = std::numeric_limits<std::size_t>::max());
 
     /// Makes it black again; what was cut is still counted.
-    void clear() { bands_.clear(); }
-    /// Adds a batch's samples, which lie in the window.
-    void add(const Batch &batch, const Buffer<Sample> &samples);
+    void clear();
+    /// Adds a batch's samples: each to its pixel, or, if the film has weights and there are splats, to all that the filter reaches in the window.
+    void add(const Batch &batch, const Buffer<Sample> &samples, const Splats *splats = nullptr);
     /// Mean radiance, 3 floats per pixel, row by row from the top; black where there is no sample yet.
     std::vector<vec3> develop();
     /// Exact sums, row by row from the top.
     std::vector<FilmPixel> read() const { return bands_.read(); }
+    /// Of each pixel, if samples are splatted.
+    std::vector<PixelWeights> read_weights() const { return splatted_ ? splatted_->weights.read() : std::vector<PixelWeights>(); }
     /// Of its samples so far; nothing where a pixel has fewer than two.
     std::optional<Noise> noise() const;
     /// Samples that were cut at ±2^16.
     uint clamped() const { return clamped_.read().at(0); }
 
     const Window &window() const { return window_; }
-    std::size_t bytes() const { return picture_.bytes() + bands_.bytes(); }
+    std::size_t bytes() const { return picture_.bytes() + bands_.bytes() + (splatted_ ? splatted_->weights.bytes() : 0); }
 
 private:
+    /// What splats need beside.
+    struct Splatted {
+        Kernel add, develop;
+        Bands<PixelWeights> weights;  ///< of the same rows as the film's
+        double correlated_pixels;
+    };
+    Film(Device &device, const Window &window, std::size_t largest_band, std::size_t pixel_bytes);
+
     Window window_;
     Kernel add_samples_, develop_;
     Buffer<vec3> picture_;  ///< of one band
     Bands<FilmPixel> bands_;
     Buffer<uint> clamped_;
+    std::optional<Splatted> splatted_;
 };
 
 }  // namespace brandung

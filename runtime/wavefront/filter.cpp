@@ -23,9 +23,10 @@ bool has_filtered_aovs(const FilmSettings &film) {
 
 }  // namespace
 
-Filter::Filter(Device &device, const FilmSettings &film, const Sources &lists)
+Filter::Filter(Device &device, const FilmSettings &film, const Sources &lists, uint batch)
     : params_(filter_params(filter_kinds()[film.filter], film.filter_radius)),
       table_(device, table_or_nothing(filter_kinds()[film.filter], film.filter_radius)) {
+    if (brandung::splats(film)) splats_.emplace(device, film, lists, batch);
     if (!(params_.negative_tail > 0 && is_drawn(film))) return;
     weigh_.emplace(device, "kernels/stages/weigh_samples.cl", "weigh_samples", lists);
     if (has_filtered_aovs(film)) weigh_values_.emplace(device, "kernels/stages/weigh_values.cl", "weigh_values", lists);

@@ -144,7 +144,7 @@ void NoiseTerms::add(const NoiseTerms &other) {
     few += other.few, few_squared += other.few_squared;
 }
 
-std::optional<Noise> NoiseTerms::noise() const {
+std::optional<Noise> NoiseTerms::noise(double correlated_pixels) const {
     if (pixels == 0 || unknown > 0) return std::nullopt;
     const double gain = squares > 0 ? halves / squares : 0;
     // The variances of stratified samples say little of that of D: they are too great by another factor in every pixel. But E D⁴ / V² is known well
@@ -158,14 +158,15 @@ std::optional<Noise> NoiseTerms::noise() const {
     const double doubtful = (plain > 0 ? std::min(change * change / plain, change) : 0) + few, count = static_cast<double>(pixels);
     // What mixtures weigh is open by about as much as they add.
     const double sum = unbiased + few, sum_of_squares = variances_squared + gain * gain * mixed_squared + few_squared;
-    const double ratio = sum > 0 ? upper_ratio(std::clamp(sum * sum / sum_of_squares, 1.0, count)) : 1;
+    const double ratio = sum > 0 ? upper_ratio(std::clamp(sum * sum / (correlated_pixels * sum_of_squares), 1.0, count)) : 1;
     return Noise{sum / count, std::max(sum / ratio - doubtful, 0.0) / count, (sum * ratio + doubtful) / count};
 }
 
-void NoiseSums::add_rows(std::span<const FilmPixel> rows) {
+void NoiseSums::add_rows(std::span<const FilmPixel> rows, std::span<const PixelWeights> weights) {
     const std::size_t known = rows_.size();
     rows_.insert(rows_.end(), rows.size(), PixelHalves(FilmPixel{}));
-    tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t i) { rows_[known + i] = PixelHalves(rows[i]); });
+    tbb::parallel_for(std::size_t{0}, rows.size(),
+                      [&](std::size_t i) { rows_[known + i] = weights.empty() ? PixelHalves(rows[i]) : PixelHalves(rows[i], weights[i]); });
     const std::size_t count = rows_.size() / width_, first = known / width_ > 1 ? 1 : 0;
     if (count < 2) return;
     terms_.add(terms_of(rows_, width_, first, count - 1));
@@ -175,7 +176,7 @@ void NoiseSums::add_rows(std::span<const FilmPixel> rows) {
 std::optional<Noise> NoiseSums::noise() const {
     NoiseTerms all = terms_;
     if (!rows_.empty()) all.add(terms_of(rows_, width_, rows_.size() / width_ - 1, rows_.size() / width_));
-    return all.noise();
+    return all.noise(correlated_pixels_);
 }
 
 }  // namespace brandung

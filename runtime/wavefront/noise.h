@@ -17,7 +17,8 @@ struct Noise {
 /// Sums over pixels, weighed by w, of means over channels; the names are those of NoiseSums.
 struct NoiseTerms {
     void add(const NoiseTerms &other);
-    std::optional<Noise> noise() const;
+    /// `correlated_pixels`: where pixels share samples, by how many the degrees of freedom are fewer.
+    std::optional<Noise> noise(double correlated_pixels) const;
 
     std::size_t pixels = 0, unknown = 0;                         ///< all, and those with fewer than two samples
     double halves = 0, squares = 0, crossed = 0, curvature = 0;  ///< of D², S, X and Y
@@ -46,10 +47,10 @@ struct NoiseTerms {
 /// outlier, is not taken for an edge.
 class NoiseSums {
 public:
-    /// `width` of the picture [pixels].
-    explicit NoiseSums(std::size_t width) : width_(width) {}
-    /// The picture's next rows, from the top.
-    void add_rows(std::span<const FilmPixel> rows);
+    /// `width` of the picture [pixels]; `correlated_pixels` as of its filter.
+    explicit NoiseSums(std::size_t width, double correlated_pixels = 1) : width_(width), correlated_pixels_(correlated_pixels) {}
+    /// The picture's next rows, from the top; with their weights where samples count in several pixels.
+    void add_rows(std::span<const FilmPixel> rows, std::span<const PixelWeights> weights = {});
     /// Of the rows so far; nothing where a pixel had fewer than two samples: what is known of the others is not the picture's. Of fewer than four
     /// samples the estimate is rough, since S is unknown, and the interval begins at 0. Of a handful of pixels, or of four samples of a few pixels
     /// that make nearly all of the error, the interval holds the error more seldom: of one pixel's, in 70 to 80 %.
@@ -57,6 +58,7 @@ public:
 
 private:
     std::size_t width_;
+    double correlated_pixels_;
     std::vector<PixelHalves> rows_;  ///< the last one or two: the last one's lower neighbours are still to come
     NoiseTerms terms_;               ///< of all rows before the last
 };

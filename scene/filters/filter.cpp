@@ -44,4 +44,40 @@ std::vector<float> filter_table(const FilterKind &kind, float radius) {
     return table;
 }
 
+bool splats(const FilmSettings &film) { return film.splat && filter_kinds()[film.filter].has_radius; }
+
+/// Its centre is half a pixel from the pixel's edges.
+int splat_reach(const FilmSettings &film) { return splats(film) ? static_cast<int>(std::ceil(film.filter_radius - 0.5f)) : 0; }
+
+Window sampled_window(const FilmSettings &film) {
+    const Window window = film.window();
+    const auto reach = static_cast<uint>(splat_reach(film));
+    return {window.left - std::min(window.left, reach), window.top - std::min(window.top, reach), std::min(window.right + reach, film.width),
+            std::min(window.bottom + reach, film.height)};
+}
+
+std::vector<float> filter_values(const FilterKind &kind) {
+    std::vector<float> values;
+    for (uint i = 0; i <= FILTER_INTERVALS; ++i)
+        values.push_back(static_cast<float>(kind.value(static_cast<double>(i) / FILTER_INTERVALS) / kind.value(0)));
+    return values;
+}
+
+double correlated_pixels(const FilmSettings &film) {
+    if (!splats(film)) return 1;
+    const double radius = film.filter_radius;
+    const auto f = [&](double x) { return std::abs(x) < radius ? filter_kinds()[film.filter].value(std::abs(x) / radius) : 0; };
+    const auto overlap = [&](double shift) {
+        double sum = 0;
+        for (int i = 0; i < 1024; ++i) {
+            const double x = radius * ((i + 0.5) / 512 - 1);
+            sum += f(x) * f(x - shift);
+        }
+        return sum;
+    };
+    double squares = 1;
+    for (int shift = 1; shift < 2 * radius; ++shift) squares += 2 * std::pow(overlap(shift) / overlap(0), 2);
+    return squares * squares;
+}
+
 }  // namespace brandung

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "kernels/filters/filter.h"
+#include "scene/scene.h"
 
 namespace brandung {
 
@@ -21,5 +22,18 @@ const std::vector<FilterKind> &filter_kinds();
 FilterParams filter_params(const FilterKind &kind, float radius);
 /// The table that the kernels read: empty for filters that have none.
 std::vector<float> filter_table(const FilterKind &kind, float radius);
+
+constexpr float max_splat_radius = 4;  ///< [pixels]
+/// Whether samples of such a film lie evenly in their pixels and count in all that the filter reaches, instead of being drawn from the filter.
+bool splats(const FilmSettings &film);
+/// How many pixels further, in either direction, a sample counts.
+int splat_reach(const FilmSettings &film);
+/// The pixels whose samples count in the film's window: as far as the picture has them.
+Window sampled_window(const FilmSettings &film);
+/// f / f(0) from the centre to the radius, FILTER_INTERVALS + 1 values.
+std::vector<float> filter_values(const FilterKind &kind);
+/// To how many pixels' errors that are independent those of one pixel and all others amount, squared: the sum over all others, and itself, of their
+/// errors' correlations squared; 1 where samples count in one pixel.
+double correlated_pixels(const FilmSettings &film);
 
 }  // namespace brandung

@@ -21,7 +21,7 @@ Channels render_aovs(Scene &scene, uint batch = 32768, std::size_t largest_band 
     for (uint kind = 0; kind < aov_kinds().size(); ++kind) scene.film.aovs.push_back(kind);
     const CompiledScene compiled = compile(scene);
     const DeviceScene on_device(device, compiled);
-    Film film(device, scene.film.window());
+    Film film(device, scene.film);
     Aovs aovs(device, scene, compiled, on_device, scene.cameras[0], batch, largest_band);
     Renderer renderer(device, scene, compiled, on_device, scene.cameras[0], {.batch = batch});
     EXPECT_TRUE(renderer.render(film, {}, &aovs).complete());
@@ -194,19 +194,22 @@ TEST(Aovs, HaveTheSameBitsForEveryBatchAndInBands) {
 }
 
 TEST(Aovs, OfACropAreThoseOfTheWhole) {
-    Scene scene = soup_scene(2);
-    const Channels whole = render_aovs(scene);
-    scene.film.crop = Window{4, 3, 17, 11};
-    for (const auto &[name, channel] : render_aovs(scene))
-        for (uint y = 3; y < 11; ++y)
-            for (uint x = 4; x < 17; ++x) {
-                const std::size_t i = (y - 3) * 13 + x - 4, j = y * 21 + x;
-                if (channel.numbers.empty()) {
-                    ASSERT_EQ(channel.floats[i], whole.at(name).floats[j]) << name;
-                } else {
-                    ASSERT_EQ(channel.numbers[i], whole.at(name).numbers[j]) << name;
+    for (const bool splats : {false, true}) {
+        Scene scene = soup_scene(2);
+        if (splats) scene.film.filter = filter_number("gaussian"), scene.film.filter_radius = 1.5f, scene.film.splat = true;
+        const Channels whole = render_aovs(scene);
+        scene.film.crop = Window{4, 3, 17, 11};
+        for (const auto &[name, channel] : render_aovs(scene, 100))
+            for (uint y = 3; y < 11; ++y)
+                for (uint x = 4; x < 17; ++x) {
+                    const std::size_t i = (y - 3) * 13 + x - 4, j = y * 21 + x;
+                    if (channel.numbers.empty()) {
+                        ASSERT_EQ(channel.floats[i], whole.at(name).floats[j]) << name;
+                    } else {
+                        ASSERT_EQ(channel.numbers[i], whole.at(name).numbers[j]) << name;
+                    }
                 }
-            }
+    }
 }
 
 /// A wall at z = 0 covers the picture's left half; pixels on its edge have hits and misses.
@@ -230,8 +233,11 @@ TEST(Aovs, DepthAndPositionAreMeansOfHitsNormalAndAlbedoOfAllSamples) {
 /// What shines and does nothing else has its emission as albedo: that picture and the radiance are one, through every filter. Where mitchell is
 /// negative both are, next to the bright triangle's edge.
 TEST(Aovs, AreFilteredAsRadianceIs) {
-    for (const std::string &filter : filter_names()) {
+    std::vector<std::pair<std::string, bool>> ways = {{"tent", true}, {"gaussian", true}};
+    for (const std::string &filter : filter_names()) ways.emplace_back(filter, false);
+    for (const auto &[filter, splats] : ways) {
         Scene scene = camera_at({0, 0, 4}, 12, 8, 9);
+        scene.film.splat = splats;
         scene.film.filter = filter_number(filter), scene.film.filter_radius = filter_kinds()[scene.film.filter].radius;
         scene.background = {0, 0.25f, 0};
         add_triangle(scene, add_material(scene, emitter({0.75f, 0.5f, 1})), {0.1f, -50, 0}, {0.2f, 50, 0}, {-50, 0, 0});

@@ -38,7 +38,7 @@ TEST(Crop, HasTheBitsOfTheSamePixelsOfTheWhole) {
 }
 
 TEST(Crop, TheFilmTakesTheWindowsMemoryAlone) {
-    Film window(test_device(), {60000, 40000, 60100, 40050}), small(test_device(), {0, 0, 100, 50});
+    Film window(test_device(), Window{60000, 40000, 60100, 40050}), small(test_device(), Window{0, 0, 100, 50});
     EXPECT_EQ(window.bytes(), small.bytes());
 }
 

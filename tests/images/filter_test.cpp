@@ -73,6 +73,72 @@ TEST_P(PictureThrough, OneSampleInTheMiddleIsTheBoxs) {
     EXPECT_EQ(film_hash(render_scene(edge_scene(GetParam(), 13, 7, 1, 6.3)).film), film_hash(render_scene(edge_scene("box", 13, 7, 1, 6.3)).film));
 }
 
+/// Filters whose samples may be splatted.
+std::vector<std::string> splat_names() {
+    std::vector<std::string> names = filter_names();
+    std::erase_if(names, [](const std::string &name) { return name == "box" || name == "mitchell"; });
+    return names;
+}
+
+class SplatsThrough : public testing::TestWithParam<std::string> {};
+
+TEST_P(SplatsThrough, AConstantStaysWhatItIs) {
+    Scene scene = empty_scene(GetParam(), 32, 32, 4);
+    scene.film.splat = true;
+    scene.background = {0.3f, 0.7f, 1000};
+    for (const vec3 &pixel : render_scene(scene).picture)
+        for (int c = 0; c < 3; ++c) ASSERT_NEAR(pixel[c] / scene.background[c], 1, 1e-6);
+}
+
+/// Of columns whose filters do not end beyond the picture.
+TEST_P(SplatsThrough, AnEdgeBecomesTheFiltersIntegral) {
+    constexpr uint width = 12, height = 32;
+    const double edge = 6.3;
+    Scene scene = edge_scene(GetParam(), width, height, 1024, edge);
+    scene.film.splat = true;
+    const double radius = scene.film.filter_radius, all = filter_integral(GetParam(), radius, -radius, radius, false);
+    const std::vector<vec3> picture = render_scene(scene).picture;
+    for (uint x = 2; x < width - 2; ++x) {
+        double mean = 0;
+        for (uint y = 0; y < height; ++y) mean += double(picture[y * width + x].x) / height;
+        EXPECT_NEAR(mean, filter_integral(GetParam(), radius, -radius, std::clamp(edge - (x + 0.5), -radius, radius), false) / all, 3e-4) << x;
+    }
+}
+
+/// Splats of the picture's edges are one-sided, by less than the filter's width; within, the mean is that of samples drawn from the filter.
+TEST_P(SplatsThrough, HasTheMeanOfDrawnSamples) {
+    Scene scene = edge_scene(GetParam(), 24, 16, 64, 11.7);
+    const std::vector<vec3> drawn = render_scene(scene).picture;
+    scene.film.splat = true;
+    const std::vector<vec3> splatted = render_scene(scene).picture;
+    double difference = 0, mean = 0;
+    for (std::size_t i = 0; i < drawn.size(); ++i) difference += double(splatted[i].x - drawn[i].x), mean += double(drawn[i].x);
+    EXPECT_NEAR(difference / mean, 0, 2e-3);
+}
+
+TEST_P(SplatsThrough, HasTheSameBitsForEveryBatchAndAllKinds) {
+    Scene scene = edge_scene(GetParam(), 13, 7, 9, 6.3);
+    scene.film.splat = true;
+    const std::uint64_t hash = film_hash(render_scene(scene).film);
+    for (const uint batch : {1u, 7u, 100u, 1u << 17}) EXPECT_EQ(hash, film_hash(render_scene(scene, {.batch = batch}).film)) << batch;
+}
+
+/// Neighbours beyond the part count in it.
+TEST_P(SplatsThrough, APartOfThePictureIsThatOfTheWhole) {
+    Scene scene = edge_scene(GetParam(), 13, 9, 5, 6.3);
+    scene.film.splat = true;
+    const std::vector<vec3> whole = render_scene(scene).picture;
+    for (const Window window : {Window{0, 0, 13, 9}, {5, 3, 8, 4}, {12, 8, 13, 9}, {0, 0, 1, 9}}) {
+        scene.film.crop = window;
+        const std::vector<vec3> part = render_scene(scene, {.batch = 50}).picture;
+        for (uint y = window.top; y < window.bottom; ++y)
+            for (uint x = window.left; x < window.right; ++x)
+                ASSERT_EQ(part[(y - window.top) * window.width() + x - window.left], whole[y * 13 + x]) << x << ", " << y;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Images, SplatsThrough, testing::ValuesIn(splat_names()), [](const auto &info) { return info.param; });
+
 INSTANTIATE_TEST_SUITE_P(Images, PictureThrough, testing::ValuesIn(filter_names()), [](const auto &info) { return info.param; });
 
 }  // namespace

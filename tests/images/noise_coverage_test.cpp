@@ -7,6 +7,7 @@
 
 #include "runtime/wavefront/noise.h"
 #include "scene/bsdfs/bsdf.h"
+#include "tests/support/filters.h"
 #include "tests/support/probe.h"
 #include "tests/support/rendering.h"
 #include "tests/support/scenes.h"
@@ -39,6 +40,20 @@ double pixel_mean(uint x, uint y, double (*radiance)(glm::dvec3)) {
     for (uint i = 0; i < n; ++i)
         for (uint j = 0; j < n; ++j) sum += radiance(direction(x + (i + 0.5) / n, y + (j + 0.5) / n));
     return sum / (n * n);
+}
+
+/// The same, weighed by a tent about the pixel's middle, as far as the picture reaches.
+double tent_mean(uint x, uint y, double (*radiance)(glm::dvec3)) {
+    constexpr int n = 8;
+    double sum = 0, weights = 0;
+    for (int i = -n; i < n; ++i)
+        for (int j = -n; j < n; ++j) {
+            const double dx = (i + 0.5) / n, dy = (j + 0.5) / n, px = x + 0.5 + dx, py = y + 0.5 + dy;
+            if (px < 0 || px > width || py < 0 || py > height) continue;
+            const double weight = (1 - std::abs(dx)) * (1 - std::abs(dy));
+            sum += weight * radiance(direction(px, py)), weights += weight;
+        }
+    return sum / weights;
 }
 
 double fresnel(double cosine, double eta) {
@@ -146,6 +161,16 @@ double covered(uint x, uint y) {
     return sum;
 }
 
+Scene splatted(Scene (*make)()) {
+    Scene scene = make();
+    scene.film.filter = filter_number("tent"), scene.film.filter_radius = 1, scene.film.splat = true;
+    return scene;
+}
+Scene splatted_furnace() { return splatted(furnace); }
+Scene splatted_pane() { return splatted(pane); }
+double splatted_furnace_limit(uint x, uint y) { return tent_mean(x, y, furnace_radiance); }
+double splatted_pane_limit(uint x, uint y) { return tent_mean(x, y, pane_radiance); }
+
 double furnace_limit(uint x, uint y) { return pixel_mean(x, y, furnace_radiance); }
 double pane_limit(uint x, uint y) { return pixel_mean(x, y, pane_radiance); }
 double stripes_limit(uint x, uint y) { return 0.25 + 0.75 * covered(x, y); }
@@ -189,7 +214,7 @@ TEST_P(NoiseOf, HoldsTheErrorOfThePicture) {
     double estimates = 0, errors = 0, deviations_squared = 0;
     for (uint run = 0; run < runs; ++run) {
         scene.film.seed = run;
-        Film film(test_device(), scene.film.window());
+        Film film(test_device(), scene.film);
         Renderer renderer(test_device(), scene, compiled, on_device, scene.cameras[0], {.batch = 8192});
         const RenderEnd end = renderer.render(film);
         const double error = relmse(film.develop(), limits);
@@ -207,7 +232,8 @@ TEST_P(NoiseOf, HoldsTheErrorOfThePicture) {
 
 INSTANTIATE_TEST_SUITE_P(Renders, NoiseOf,
                          testing::Values(Known{"Furnace", furnace, furnace_limit}, Known{"Pane", pane, pane_limit},
-                                         Known{"Stripes", stripes, stripes_limit}),
+                                         Known{"Stripes", stripes, stripes_limit}, Known{"SplattedFurnace", splatted_furnace, splatted_furnace_limit},
+                                         Known{"SplattedPane", splatted_pane, splatted_pane_limit}),
                          [](const auto &info) { return info.param.name; });
 
 }  // namespace

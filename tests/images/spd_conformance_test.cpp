@@ -227,7 +227,7 @@ TEST_P(SpdScene, BatchesAndThreadsChangeNoBit) {
     Device device = Device::select("", 1);
     const CompiledScene compiled = compile(scene);
     const DeviceScene on_device(device, compiled);
-    Film film(device, {0, 0, resolution, resolution});
+    Film film(device, Window{0, 0, resolution, resolution});
     Renderer renderer(device, scene, compiled, on_device, scene.cameras.at(0), {});
     renderer.render(film);
     EXPECT_EQ(film_hash(film.read()), film_hash(rendering().film)) << "one thread";

@@ -34,6 +34,7 @@
 #include "kernels/core/params.h"
 #include "kernels/core/scene.h"
 #include "kernels/filters/filter.h"
+#include "kernels/filters/splat.h"
 #include "kernels/lights/directional.h"
 #include "kernels/lights/emission.h"
 #include "kernels/lights/environment.h"
@@ -104,11 +105,13 @@ const Layouts &host_layouts() {
         RECORD(Sample, sum),
         RECORD(Integer128, low, high),
         RECORD(FilmPixel, sums, squares, counts),
-        RECORD(AovPixel, sums, count, spare),
+        RECORD(PixelWeights, sums, squares),
+        RECORD(AovPixel, sums, weights),
         RECORD(Camera, position, width, height, words),
         RECORD(ShutterParams, open, close, parts),
         RECORD(BatchParams, pixels, first_sample, samples, spp, seed, position),
         RECORD(FilterParams, radius, negative_tail, weight),
+        RECORD(Splat, x, y, intervals),
         RECORD(FilmBand, first_row, rows, first_column, width),
         RECORD(PathParams, max_depth, roulette_depth, bundles),
         RECORD(Bundles, light, diffuse, glossy, transmission),

@@ -221,6 +221,10 @@ TEST(Absence, WhatASceneDoesNotNeedIsNotLaunched) {
     EXPECT_TRUE(weighed.contains("weigh_samples"));
     EXPECT_FALSE(opaque.contains("weigh_samples"));
     EXPECT_FALSE(weighed.contains("weigh_values"));
+    dark.film.filter = kind_number(filter_kinds(), "tent"), dark.film.filter_radius = 1, dark.film.splat = true;
+    const auto splatted = launched_by(dark);
+    for (const char *kernel : {"place_samples", "add_splats"}) EXPECT_TRUE(splatted.contains(kernel) && !opaque.contains(kernel)) << kernel;
+    EXPECT_FALSE(splatted.contains("add_samples"));
     for (const char *kernel : {"record_aov", "add_aov", "record_number"}) EXPECT_FALSE(opaque.contains(kernel)) << kernel;
 }
 
@@ -230,6 +234,8 @@ TEST(Absence, OtherFiltersAreNotThere) {
     scene.film.filter = kind_number(filter_kinds(), "tent");
     expect_absent(scene, {"filters/box.cl", "filters/tabulated.cl"});
     expect_present(scene, "kernels/stages/generate_camera_rays.cl", "filters/tent.cl");
+    scene.film.splat = true;
+    expect_absent(scene, {"filters/tent.cl"});
 }
 
 /// A triangle whose vertices have colours.

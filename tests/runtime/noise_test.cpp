@@ -206,9 +206,22 @@ TEST(Noise, OfEqualSamplesIsNothing) {
 TEST(Noise, StandardErrorIsThatOfTheSamples) {
     const PixelModel model{0.5, [](Generator &, uint place, uint) { return place == 0 ? 1.0 : 0.0; }};
     Generator random(1);
-    const vec3 error = standard_error(pixel_of(model, 4, random));
+    const vec3 error = standard_error(PixelHalves(pixel_of(model, 4, random)));
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(error[c], std::sqrt(1.0 / 8), 1e-7);
-    EXPECT_EQ(standard_error(FilmPixel{}), vec3(std::numeric_limits<float>::infinity()));
+    EXPECT_EQ(standard_error(PixelHalves(FilmPixel{})), vec3(std::numeric_limits<float>::infinity()));
+}
+
+/// Of four times fewer degrees of freedom the interval is twice as wide, while the estimate is the same.
+TEST(Noise, OfPixelsThatShareSamplesIsLessCertain) {
+    Generator random(4);
+    std::vector<FilmPixel> film;
+    for (uint i = 0; i < width * height; ++i) film.push_back(pixel_of(normal(1), 64, random));
+    const Noise alone = noise_of(film, width).value();
+    NoiseSums sums(width, 4);
+    sums.add_rows(film);
+    const Noise shared = sums.noise().value();
+    EXPECT_EQ(shared.relmse, alone.relmse);
+    EXPECT_NEAR(std::log(shared.high / shared.relmse) / std::log(alone.high / alone.relmse), 2, 0.02);
 }
 
 /// The film is summed in parallel and in parts: the same pixels give the same bits, and parts of any number of rows the same sums.

@@ -16,7 +16,7 @@ TEST(Renderer, KeepsThePictureSoFarWhereTheDeviceFails) {
     scene.film.width = scene.film.height = 4;
     const CompiledScene compiled = compile(scene);
     const DeviceScene on_device(test_device(), compiled);
-    Film film(test_device(), {0, 0, 4, 4});
+    Film film(test_device(), Window{0, 0, 4, 4});
     Renderer renderer(test_device(), scene, compiled, on_device, scene.cameras[0], {.batch = 4});
     const auto fail = [](const RenderProgress &progress) {
         if (progress.samples_done == 8) throw Error("out of memory");
@@ -38,7 +38,7 @@ TEST(Renderer, ObserversSeeTheFilmOfARenderUnderWay) {
     scene.film.width = scene.film.height = 4;
     const CompiledScene compiled = compile(scene);
     const DeviceScene on_device(test_device(), compiled);
-    Film film(test_device(), {0, 0, 4, 4});
+    Film film(test_device(), Window{0, 0, 4, 4});
     Renderer renderer(test_device(), scene, compiled, on_device, scene.cameras[0], {.batch = 4});
     std::vector<std::uint64_t> seen;
     const auto look = [&](const RenderProgress &progress) {

@@ -17,7 +17,7 @@ Rendering render_scene(const Scene &scene, const RenderOptions &options, Kinds k
 Rendering render_scene(Device &device, const Scene &scene, const RenderOptions &options, Kinds kinds) {
     const CompiledScene compiled = compile(scene, {.kinds = kinds});
     const DeviceScene on_device(device, compiled);
-    Film film(device, scene.film.window());
+    Film film(device, scene.film);
     Renderer renderer(device, scene, compiled, on_device, scene.cameras.at(0), options);
     if (const RenderEnd end = renderer.render(film); !end.failure.empty()) throw Error(end.failure);
     return {film.read(),   film.develop(), renderer.integrator().counts(), renderer.integrator().refused(), renderer.integrator().media_lost(),

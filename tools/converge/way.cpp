@@ -24,7 +24,7 @@ bool counts(const std::string &setting, const Way &a, const Way &b) {
 std::vector<Departure> departures(const Way &way, const Way &other) {
     std::vector<Departure> all;
     for (const char *setting :
-         {"scene_hash", "camera", "integrator", "max_depth", "threshold", "light_samples", "follow", "shadows", "filter", "filter_radius"}) {
+         {"scene_hash", "camera", "integrator", "max_depth", "threshold", "light_samples", "follow", "shadows", "filter", "filter_radius", "splat"}) {
         const std::string own = value_of(way, setting), others = value_of(other, setting);
         if (own != others && counts(setting, way, other)) all.push_back({setting, own, others});
     }

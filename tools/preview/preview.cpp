@@ -5,6 +5,7 @@
 
 #include "runtime/opencl/seconds_now.h"
 #include "scene/accelerators/accelerator.h"
+#include "scene/filters/filter.h"
 #include "scene/tone.h"
 #include "tools/preview/tev.h"
 #include "tools/preview/web.h"
@@ -26,7 +27,7 @@ Preview::Preview(const std::vector<PreviewTarget> &targets, const Scene &scene, 
     const uint width = film.window().width(), height = film.window().height();
     automatic_exposure_ = film.automatic_exposure;
     state_.subject = {scene.file, scene.integrator.type, "", "", width, height, film.spp, batch, {.exposure = film.exposure, .tone = film.tone}};
-    state_.progress.samples_total = std::uint64_t{width} * height * film.spp;
+    state_.progress.samples_total = sampled_window(film).pixels() * film.spp;
     for (const PreviewTarget &target : targets) {
         if (target.kind == PreviewTarget::tev) {
             viewers_.push_back(std::make_unique<TevViewer>(target, name, width, height));

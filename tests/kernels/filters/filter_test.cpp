@@ -92,6 +92,16 @@ TEST_P(FilterOf, SignsAndWeightsGiveTheFiltersIntegral) {
     EXPECT_EQ(params.negative_tail > 0, GetParam() == "mitchell");
 }
 
+/// A tent's overlap with the next pixel's is a quarter of that with itself, and with those beyond nothing, in either direction.
+TEST(CorrelatedPixels, AreThoseOfOverlappingFilters) {
+    FilmSettings film;
+    EXPECT_EQ(correlated_pixels(film), 1);
+    film.filter = filter_number("tent"), film.filter_radius = 1;
+    EXPECT_EQ(correlated_pixels(film), 1) << "drawn for one pixel each";
+    film.splat = true;
+    EXPECT_NEAR(correlated_pixels(film), std::pow(1 + 2.0 / 16, 2), 1e-4);
+}
+
 INSTANTIATE_TEST_SUITE_P(Kernels, FilterOf, testing::ValuesIn(filter_names()), [](const auto &info) { return info.param; });
 
 /// value * weight / 2^30, halves away from 0.

@@ -101,7 +101,7 @@ void expect_equal(const Film &film, const std::vector<Expected> &expected) {
 }
 
 TEST(Film, SumsHalvesAndSquaresAreExactOverSeveralBatches) {
-    Film film(test_device(), {0, 0, width, height});
+    Film film(test_device(), Window{0, 0, width, height});
     std::vector<Expected> expected(width * height);
     const std::vector<uint> all = all_pixels(), some(all.begin() + 5, all.begin() + 200);
     for (const Part &part : {random_part(1, 0, 16, all), random_part(2, 16, 3, some), random_part(3, 19, 5, all), random_part(4, 24, 1, some)})
@@ -111,7 +111,7 @@ TEST(Film, SumsHalvesAndSquaresAreExactOverSeveralBatches) {
 
 /// 2^16 of the largest samples, as the brightest background gives; 64 bits hold 2^15 of them.
 TEST(Film, SumsOfTheLargestSamplesDoNotWrap) {
-    Film film(test_device(), {0, 0, 1, 1});
+    Film film(test_device(), Window{0, 0, 1, 1});
     constexpr uint samples = 1 << 14, batches = 4;
     const Sample largest = make_sample(clamp_of_samples, -clamp_of_samples, (std::int64_t{1} << 32) - 1);
     for (uint batch = 0; batch < batches; ++batch) add(film, {{0}, batch * samples, samples, std::vector<Sample>(samples, largest)});
@@ -144,7 +144,7 @@ TEST(Film, TheMostSamplesThereCanBeAreDeveloped) {
 }
 
 TEST(Film, TooBrightSamplesAreCutAndCountedOnce) {
-    Film film(test_device(), {0, 0, 2, 2});
+    Film film(test_device(), Window{0, 0, 2, 2});
     const __int128 most = std::numeric_limits<std::int64_t>::max(), beyond = (__int128{1} << 64) + clamp_of_samples;
     add(film, {{pixel_at(0, 0), pixel_at(1, 0), pixel_at(0, 1)},
                0,
@@ -167,7 +167,7 @@ TEST(Film, TheOrderOfBatchesAndPixelsDoesNotShow) {
     Part reversed{backwards, 0, 4, {}};
     for (std::size_t i = forwards.size(); i-- > 0;)
         reversed.sums.insert(reversed.sums.end(), first.sums.begin() + long(4 * i), first.sums.begin() + long(4 * i + 4));
-    Film a(test_device(), {0, 0, width, height}), b(test_device(), {0, 0, width, height});
+    Film a(test_device(), Window{0, 0, width, height}), b(test_device(), Window{0, 0, width, height});
     add(a, first), add(a, second);
     add(b, second), add(b, reversed);
     const std::vector<FilmPixel> left = a.read(), right = b.read();
@@ -180,11 +180,11 @@ TEST(Film, InBandsIsTheSame) {
     const std::vector<uint> all = all_pixels(), some(all.begin() + 5, all.begin() + 200);
     const Part first = random_part(8, 0, 5, all), second = random_part(9, 5, 2, some);
     add(expected, first), add(expected, second);
-    Film whole(test_device(), {0, 0, width, height});
+    Film whole(test_device(), Window{0, 0, width, height});
     add(whole, first), add(whole, second);
     const std::vector<vec3> picture = whole.develop();
     for (const std::size_t rows : {0u, 1u, 2u, 4u, 10u, 11u, 100u}) {
-        Film film(test_device(), {0, 0, width, height}, (rows * width + width / 2) * sizeof(FilmPixel));
+        Film film(test_device(), Window{0, 0, width, height}, (rows * width + width / 2) * sizeof(FilmPixel));
         add(film, first), add(film, second);
         expect_equal(film, expected);
         EXPECT_EQ(film.develop(), picture) << rows;
@@ -194,7 +194,7 @@ TEST(Film, InBandsIsTheSame) {
 
 TEST(Film, LargerThanTheDevicesMemoryIsRefusedWithTheSizes) {
     try {
-        Film(test_device(), {0, 0, 65535, 65535});
+        Film(test_device(), Window{0, 0, 65535, 65535});
         ADD_FAILURE() << "not refused";
     } catch (const Error &error) {
         EXPECT_NE(std::string(error.what()).find("a film of 65535 x 65535 pixels takes 868"), std::string::npos) << error.what();
@@ -202,7 +202,7 @@ TEST(Film, LargerThanTheDevicesMemoryIsRefusedWithTheSizes) {
 }
 
 TEST(Film, DevelopGivesTheMeanAndBlackWithoutSamples) {
-    Film film(test_device(), {0, 0, width, height});
+    Film film(test_device(), Window{0, 0, width, height});
     std::vector<Expected> expected(width * height);
     const std::vector<uint> all = all_pixels(), most(all.begin(), all.end() - 3);
     const Part part = random_part(7, 0, 7, most);

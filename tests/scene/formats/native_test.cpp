@@ -177,6 +177,11 @@ TEST(Native, FiltersHaveRadiiOfTheirOwn) {
               ": /film/filter_radius (set on the command line): must be at most 100 pixels, got 101");
     EXPECT_EQ(error_of_text(small_scene, {"film.filter=tent", "film.spp=1", "film.pixel=corner"}),
               ": /film/filter (set on the command line): pixels at corners take no filter but the box");
+    EXPECT_EQ(error_of_text(small_scene, {"film.filter=mitchell", "film.splat=true"}),
+              ": /film/splat (set on the command line): needs a filter that is nowhere negative, since the weights of few samples of mitchell may "
+              "sum up to nothing");
+    EXPECT_EQ(error_of_text(small_scene, {"film.filter=tent", "film.filter_radius=5", "film.splat=true"}),
+              ": /film/splat (set on the command line): takes filters of at most 4 pixels, got 5");
 }
 
 TEST(Native, ReadsCropExposureAndTone) {

@@ -1,0 +1,6 @@
+// Values of AOVs in fixed point.
+#pragma once
+#include "kernels/core/lanes_1.cl"
+
+/// To the nearest; magnitudes are cut at 2^38, so that 2^24 of them fit an int64.
+FUNCTION int64 fixed_point(float x) { return (int64)rint(minimum(maximum(x, -0x1p38f), 0x1p38f)); }

@@ -1,0 +1,19 @@
+// What samples weigh in pixels that a filter reaches from where they are.
+#pragma once
+#include "kernels/filters/filter.h"
+#include "kernels/filters/splat.h"
+
+/// f(x) / f(0) at a distance [pixels], linear between `values`, which are FILTER_INTERVALS + 1 from the centre to the radius.
+FUNCTION float filter_value(float distance, float intervals, const global float *values) {
+    const float x = fabs(distance) * intervals;
+    if (x >= (float)(int)FILTER_INTERVALS) return 0.0f;
+    const int i = (int)x;
+    return fma(x - (float)i, values[i + 1] - values[i], values[i]);
+}
+
+/// Of a sample at `place` in its pixel, in [0, 1)², in the pixel that the splat leads to; in units of 1 / SPLAT_UNIT.
+FUNCTION uint splat_weight(vec2 place, Splat splat, const global float *values) {
+    const float x = filter_value(place.x - 0.5f - (float)splat.x, splat.intervals, values);
+    const float y = filter_value(place.y - 0.5f - (float)splat.y, splat.intervals, values);
+    return (uint)rint(x * y * (float)(int)SPLAT_UNIT);
+}
