@@ -96,9 +96,9 @@ private:
         });
     }
 
-    /// From the first coordinate of a kind that is not flat, which goes around, to its true one.
+    /// From the first coordinate of a kind without vertices, which goes around, to its true one.
     extended around(extended difference) const {
-        return oracle_.kind().is_flat ? difference : lesser(absolute(difference), absolute(1 - absolute(difference)));
+        return oracle_.kind().has_vertices ? difference : lesser(absolute(difference), absolute(1 - absolute(difference)));
     }
 
     template <class Describe>
