@@ -64,13 +64,12 @@ TEST(Disk, LooksAsAMeshOfManyCorners) {
     EXPECT_GT(seen, 20u) << "the test can tell";
 }
 
+/// Under a disk that shines.
 TEST(Disk, HasTheSameBitsForEveryAcceleratorAndBatch) {
-    for (const char *integrator : {"whitted", "path"}) {
-        Scene scene = scene_of_disks(add_disk);
-        scene.integrator.type = integrator;
-        add_disk(scene, add_material(scene, emitter(Spectrum(5))), {-0.5f, 2, 1}, {0, -1, -0.3f}, 0.5f);
-        expect_same_bits(scene);
-    }
+    Scene scene = scene_of_disks(add_disk);
+    scene.integrator.type = "path";
+    add_disk(scene, add_material(scene, emitter(Spectrum(5))), {-0.5f, 2, 1}, {0, -1, -0.3f}, 0.5f);
+    expect_same_bits(scene);
 }
 
 }  // namespace brandung
