@@ -24,13 +24,11 @@ FUNCTION vec3 disk_place(DiskShading disk, Ray ray, Hit hit) {
 /// Points of it as a light are uniform by area.
 FUNCTION float disk_emission_factor(ShadingRecord record, vec3 from, vec3 p) { return 1.0f; }
 
-/// The point is put back onto the disk, which it may have left by the rounding of a long ray, and then with twice the digits onto the plane: what is
-/// left is its own rounding, however large the disk is.
+/// The point is put back onto the plane, with twice the digits: what is left is its own rounding, however long the ray is and however large the disk.
+/// It is within the rim, because the crossing has the same floats.
 FUNCTION Surface disk_surface(Scene scene, ShadingRecord record, Ray ray, Hit hit) {
     const DiskShading disk = disk_view(record);
-    const vec3 x = disk_place(disk, ray, hit);
-    const float distance = sqrt(dot3(x, x));
-    const vec3 p = plus(disk.center, scaled(x, distance > disk.radius ? disk.radius / distance : 1.0f));
+    const vec3 p = plus(disk.center, disk_place(disk, ray, hit));
     Surface surface;
     surface.p = minus(p, scaled(disk.normal, rounded(dot3(two_difference(p, disk.center), disk.normal))));
     // The difference's own rounding; and of the first point's error, 2^-21 of its terms, the correction leaves 2^-22, since that is as far as the
