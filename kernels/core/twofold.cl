@@ -37,6 +37,11 @@ FUNCTION twofold times(twofold a, twofold b) {
     product.low += a.high * b.low + a.low * b.high;
     return product;
 }
+FUNCTION twofold times(twofold a, real b) {
+    twofold product = two_product(a.high, b);
+    product.low += a.low * b;
+    return product;
+}
 FUNCTION twofold scaled(twofold a, real power_of_two) {
     a.high *= power_of_two, a.low *= power_of_two;
     return a;
@@ -60,6 +65,8 @@ FUNCTION twofold3 scaled(twofold3 v, real power_of_two) {
     v.x = scaled(v.x, power_of_two), v.y = scaled(v.y, power_of_two), v.z = scaled(v.z, power_of_two);
     return v;
 }
+FUNCTION twofold dot3(twofold3 a, real3 b) { return plus(plus(times(a.x, b.x), times(a.y, b.y)), times(a.z, b.z)); }
+FUNCTION twofold two_dot3(real3 a, real3 b) { return plus(plus(two_product(a.x, b.x), two_product(a.y, b.y)), two_product(a.z, b.z)); }
 FUNCTION twofold dot3(twofold3 a, twofold3 b) { return plus(plus(times(a.x, b.x), times(a.y, b.y)), times(a.z, b.z)); }
 FUNCTION twofold3 cross3(twofold3 a, twofold3 b) {
     twofold3 c;

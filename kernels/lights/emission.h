@@ -44,6 +44,13 @@ typedef struct {
     float radius, rise;
 } EmissiveFrustum;
 
+/// Points center + x, x ⊥ normal, with |x| <= radius; uniform by area.
+typedef struct {
+    Emission emission;
+    vec3 center, normal;  ///< normal has unit length
+    float radius;
+} EmissiveDisk;
+
 /// A triangle or parallelogram of a mesh, as a light of its own for paths, which choose among faces as among lights; uniform by area.
 typedef struct {
     Spectrum power;     ///< radiance times area

@@ -5,6 +5,7 @@
 #include "kernels/core/math.cl"
 #include "kernels/core/scene.cl"
 #include "kernels/core/spawn.cl"
+#include "kernels/primitives/azimuth.cl"
 #include "kernels/primitives/frustum.h"
 #include "kernels/primitives/surface.h"
 
@@ -18,12 +19,6 @@ FUNCTION FrustumShading frustum_view(ShadingRecord record) {
     return frustum;
 }
 
-/// A direction across the axis, not of unit length.
-FUNCTION vec3 frustum_across(vec3 axis) {
-    const bool in_xy = fabs(axis.x) > fabs(axis.z);
-    return make3(in_xy ? -axis.y : 0.0f, in_xy ? axis.x : -axis.z, in_xy ? 0.0f : axis.y);
-}
-
 /// Points of it as a light are uniform by area.
 FUNCTION float frustum_emission_factor(ShadingRecord record, vec3 from, vec3 p) { return 1.0f; }
 
@@ -35,7 +30,7 @@ FUNCTION Surface frustum_surface(Scene scene, ShadingRecord record, Ray ray, Hit
     const vec3 f = plus(minus(ray.origin, frustum.center), scaled(ray.direction, hit.t));
     const float z = dot3(f, frustum.axis);
     const vec3 rough = minus(f, scaled(frustum.axis, z)), x = minus(rough, scaled(frustum.axis, dot3(rough, frustum.axis)));
-    const vec3 outward = unit(where(dot3(x, x) > 0.0f, x, frustum_across(frustum.axis)));
+    const vec3 outward = unit(where(dot3(x, x) > 0.0f, x, across_axis(frustum.axis)));
     const float place = minimum(maximum(z, -frustum.half_length), frustum.half_length);
     const float radius = maximum(fma(frustum.slope, place, frustum.radius), 0.0f);
     Surface surface;
@@ -53,10 +48,8 @@ FUNCTION Surface frustum_surface(Scene scene, ShadingRecord record, Ray ray, Hit
 FUNCTION Pattern frustum_pattern(Scene scene, ShadingRecord record, Ray ray, Hit hit) {
     const FrustumShading frustum = frustum_view(record);
     const vec3 f = plus(minus(ray.origin, frustum.center), scaled(ray.direction, hit.t)), axis = frustum.axis;
-    const vec3 x = unit(frustum_across(axis));
-    const vec3 y = make3(axis.y * x.z - axis.z * x.y, axis.z * x.x - axis.x * x.z, axis.x * x.y - axis.y * x.x);
     Pattern pattern = {{0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}};
-    pattern.uv.x = 0.5f + INVERSE_TWO_PI * arctangent(dot3(f, y), dot3(f, x));
+    pattern.uv.x = azimuth(axis, f);
     pattern.uv.y = 0.5f + 0.5f * dot3(f, axis) / frustum.half_length;
     return pattern;
 }

@@ -4,7 +4,7 @@
 typedef struct {
     float t, u, v;
     Surface surface;
-    vec2 uv;  ///< of flat kinds the crossing's, by which what vertices have is interpolated; of others those of pictures
+    vec2 uv;  ///< of kinds with vertices the crossing's, by which what these have is interpolated; of others those of pictures
     uint hit;
 } CrossingResult;
 
@@ -21,7 +21,7 @@ kernel void test_crossings(SCENE_PARAMS, const global Block *restrict blocks, co
             const Hit hit = hit_of(crossing, i);
             result.surface = NAME(surface)(scene, records[i], ray, hit);
             result.uv = NAME(pattern)(scene, records[i], ray, hit).uv;
-            if (IS_FLAT) result.uv.x = hit.u, result.uv.y = hit.v;
+            if (HAS_VERTICES) result.uv.x = hit.u, result.uv.y = hit.v;
         }
         results[i] = result;
     }

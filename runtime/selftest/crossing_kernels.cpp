@@ -44,15 +44,15 @@ uint count_of(const CrossingCases &cases) { return static_cast<uint>(cases.rays.
 
 Sources one_kind(const PrimitiveKind &kind) {
     const std::string path = fmt::format("#include \"kernels/primitives/{}", kind.name);
-    return {
-        {"generated/constants.h", "#pragma once\n#define INTERIOR_SIZE 0u\n#define INSTANCES 0\n"},
-        {"generated/time.cl", "#include \"kernels/core/no_time.cl\"\n"},
-        {"generated/work.cl", "#include \"kernels/accelerators/no_work.cl\"\n"},
-        {"generated/precision.cl", "// float\n"},
-        {"generated/kind.cl", fmt::format("#pragma once\n{}.h\"\n#define NAME(function) {}_##function\n#define IS_FLAT {}\ntypedef {}Block Block;\n",
-                                          path, kind.name, int(kind.is_flat), kind.record)},
-        {"generated/primitive_hits.cl", path + "_hit.cl\"\n"},
-        {"generated/primitive_surfaces.cl", "#pragma once\n" + path + ".cl\"\n"}};
+    return {{"generated/constants.h", "#pragma once\n#define INTERIOR_SIZE 0u\n#define INSTANCES 0\n"},
+            {"generated/time.cl", "#include \"kernels/core/no_time.cl\"\n"},
+            {"generated/work.cl", "#include \"kernels/accelerators/no_work.cl\"\n"},
+            {"generated/precision.cl", "// float\n"},
+            {"generated/kind.cl",
+             fmt::format("#pragma once\n{}.h\"\n#define NAME(function) {}_##function\n#define HAS_VERTICES {}\ntypedef {}Block Block;\n", path,
+                         kind.name, int(kind.has_vertices), kind.record)},
+            {"generated/primitive_hits.cl", path + "_hit.cl\"\n"},
+            {"generated/primitive_surfaces.cl", "#pragma once\n" + path + ".cl\"\n"}};
 }
 
 NormalsOnly::NormalsOnly(Device &device, const CrossingCases &cases) : header_(device, 1), normals_(device, cases.normals) { header_.fill_zero(); }

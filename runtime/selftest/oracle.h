@@ -58,7 +58,8 @@ public:
     virtual extended distance(Lane lane, Vector p) const = 0;
     /// Where the ray has t, in the kernel's opinion. An error of 1 or more says that nothing is known.
     virtual Normal normal_on(Lane lane, const Ray &ray, extended t) const = 0;
-    /// Coordinates there: of flat kinds the weights of the second and third vertex, of others those of pictures, of which the first goes around.
+    /// Coordinates there: of kinds with vertices the weights of the second and third one, of others those of pictures, of which the first goes
+    /// around.
     virtual Place place_on(Lane lane, const Ray &ray, extended t) const = 0;
     /// The shading normal there, of either sign, of kinds whose vertices have normals; the others' is the normal.
     virtual Normal shading_normal_on(Lane lane, const VertexNormals &, const Ray &ray, extended t) const { return normal_on(lane, ray, t); }

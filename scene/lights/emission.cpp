@@ -31,12 +31,14 @@ constexpr float both_sides = 2 * std::numbers::pi_v<float>;
 Light make_light(const EmissiveMesh &light) { return make_emissive("emissive_mesh", light); }
 Light make_light(const EmissiveSphere &light) { return make_emissive("emissive_sphere", light); }
 Light make_light(const EmissiveFrustum &light) { return make_emissive("emissive_frustum", light); }
+Light make_light(const EmissiveDisk &light) { return make_emissive("emissive_disk", light); }
 
 Light make_light(const EmissiveFlat &light) { return make_emissive("emissive_flat", light); }
 
 Spectrum power_of_emissive_flat(const Light &light, float) { return view_of<EmissiveFlat>(light.words).power * both_sides; }
 Spectrum power_of_emissive_mesh(const Light &light, float) { return view_of<Emission>(light.words).power * both_sides; }
 Spectrum power_of_emissive_frustum(const Light &light, float) { return view_of<Emission>(light.words).power * both_sides; }
+Spectrum power_of_emissive_disk(const Light &light, float) { return view_of<Emission>(light.words).power * both_sides; }
 
 /// The record's `power` has no area in it.
 Spectrum power_of_emissive_sphere(const Light &light, float) {

@@ -36,6 +36,7 @@ Light make_light(const Environment &light);
 Light make_light(const EmissiveMesh &light);
 Light make_light(const EmissiveSphere &light);
 Light make_light(const EmissiveFrustum &light);
+Light make_light(const EmissiveDisk &light);
 Light make_light(const EmissiveFlat &light);
 /// rows * rows of them, each with its cell of the square from which points of the light are made, and its share of the light.
 std::vector<Light> make_cells(const Light &light, uint rows);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "scene/kinds.h"
 #include "scene/lights/aliases.h"
@@ -15,15 +16,19 @@ namespace {
 
 double mean_of(Spectrum s) { return (double(s.x) + s.y + s.z) / 3; }
 
+/// A normal of what shines and is flat, of any length.
+std::optional<glm::dvec3> normal_of(const Light &light) {
+    if (light.kind == kind_number(light_kinds(), "emissive_disk")) return glm::dvec3(view_of<EmissiveDisk>(light.words).normal);
+    if (light.kind != kind_number(light_kinds(), "emissive_flat")) return {};
+    const auto face = view_of<EmissiveFlat>(light.words);
+    return glm::cross(glm::dvec3(face.u), glm::dvec3(face.v));
+}
+
 /// The area of an emissive shape in the world, over that in its group's space: see emissive_area_in_power in lights/emissive_instances.cl.
 double stretch_of(const Light &light, const Transform &to_world) {
     const glm::dmat3 m(to_world.x, to_world.y, to_world.z);
-    if (light.kind == kind_number(light_kinds(), "emissive_flat")) {
-        const auto face = view_of<EmissiveFlat>(light.words);
-        const glm::dvec3 u(face.u), v(face.v);
-        return glm::length(glm::cross(m * u, m * v)) / glm::length(glm::cross(u, v));
-    }
     const glm::dvec3 x = glm::cross(m[1], m[2]), y = glm::cross(m[2], m[0]), z = glm::cross(m[0], m[1]);
+    if (const auto normal = normal_of(light)) return glm::length(glm::dmat3(x, y, z) * *normal) / glm::length(*normal);
     return std::sqrt((glm::dot(x, x) + glm::dot(y, y) + glm::dot(z, z)) / 3);
 }
 

@@ -13,6 +13,7 @@ Spectrum power_of_emissive_flat(const Light &light, float extent);
 Spectrum power_of_emissive_mesh(const Light &light, float extent);
 Spectrum power_of_emissive_sphere(const Light &light, float extent);
 Spectrum power_of_emissive_frustum(const Light &light, float extent);
+Spectrum power_of_emissive_disk(const Light &light, float extent);
 Spectrum power_of_environment(const Light &light, float extent);
 
 const std::vector<LightKind> &light_kinds() {
@@ -25,6 +26,7 @@ const std::vector<LightKind> &light_kinds() {
         {"emissive_frustum", "EmissiveFrustum", power_of_emissive_frustum, false, nullptr},
         {"environment", "Environment", power_of_environment, true, nullptr},
         {"emissive_flat", "EmissiveFlat", power_of_emissive_flat, false, nullptr},
+        {"emissive_disk", "EmissiveDisk", power_of_emissive_disk, false, nullptr},
     };
     return kinds;
 }

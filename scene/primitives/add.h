@@ -10,6 +10,8 @@ namespace brandung {
 
 /// A negative radius: only the inside is visible.
 void add_sphere(Scene &scene, uint material, vec3 center, float radius);
+/// `normal`, of any length but 0, leads to the outside.
+void add_disk(Scene &scene, uint material, vec3 center, vec3 normal, float radius);
 /// The lateral surface between two circles; both radii negative: only the inside is visible. One may be 0, but they have not both signs.
 void add_frustum(Scene &scene, uint material, vec3 base, float base_radius, vec3 apex, float apex_radius);
 /// Makes shapes a group, and gives its index.

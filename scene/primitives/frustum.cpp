@@ -14,7 +14,7 @@
 
 namespace brandung {
 
-const PrimitiveKind frustum_kind = {"frustum", "Frustum", sizeof(FrustumBlock), false, 0};
+const PrimitiveKind frustum_kind = {"frustum", "Frustum", sizeof(FrustumBlock), false, false, 0};
 
 namespace {
 

@@ -4,9 +4,10 @@
 
 namespace brandung {
 
-extern const PrimitiveKind sphere_kind, triangle_kind, smooth_triangle_kind, frustum_kind;
+extern const PrimitiveKind sphere_kind, triangle_kind, smooth_triangle_kind, frustum_kind, disk_kind;
 
 void read_sphere(const Parameters &parameters, uint material, Scene &scene);
+void read_disk(const Parameters &parameters, uint material, Scene &scene);
 void read_frustum(const Parameters &parameters, uint material, Scene &scene);
 void read_cylinder(const Parameters &parameters, uint material, Scene &scene);
 void read_triangle_mesh(const Parameters &parameters, uint material, Scene &scene);

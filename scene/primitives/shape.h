@@ -23,6 +23,7 @@ struct PrimitiveKind {
     const char *record;       ///< "SmoothTriangle": prefix of its records
     std::size_t block_bytes;  ///< of one block of BLOCK_SIZE primitives
     bool is_flat;             ///< rays cross it once at most, and not again after leaving it
+    bool has_vertices;        ///< Hit.u, v are the weights of the second and the third one
     std::size_t table_bytes;  ///< that each has at least in SharedTables
 };
 
@@ -91,6 +92,8 @@ const std::vector<const PrimitiveKind *> &primitive_kinds();
 
 // One maker per kind; null where the thing has no surface. scene/primitives/add.h counts these.
 std::unique_ptr<Shape> make_sphere(uint material, vec3 center, float radius);
+/// `normal`, not 0, leads to the outside; both sides are visible.
+std::unique_ptr<Shape> make_disk(uint material, vec3 center, vec3 normal, float radius);
 /// From base to apex, without caps; both radii negative: only the inside is visible.
 std::unique_ptr<Shape> make_frustum(uint material, vec3 base, float base_radius, vec3 apex, float apex_radius);
 

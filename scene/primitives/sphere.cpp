@@ -11,7 +11,7 @@
 
 namespace brandung {
 
-const PrimitiveKind sphere_kind = {"sphere", "Sphere", sizeof(SphereBlock), false, 0};
+const PrimitiveKind sphere_kind = {"sphere", "Sphere", sizeof(SphereBlock), false, false, 0};
 
 namespace {
 

@@ -18,8 +18,8 @@
 
 namespace brandung {
 
-const PrimitiveKind triangle_kind = {"triangle", "Triangle", sizeof(TriangleBlock), true, 0};
-const PrimitiveKind smooth_triangle_kind = {"smooth_triangle", "SmoothTriangle", sizeof(SmoothTriangleBlock), true, sizeof(VertexNormals)};
+const PrimitiveKind triangle_kind = {"triangle", "Triangle", sizeof(TriangleBlock), true, true, 0};
+const PrimitiveKind smooth_triangle_kind = {"smooth_triangle", "SmoothTriangle", sizeof(SmoothTriangleBlock), true, true, sizeof(VertexNormals)};
 
 bool has_area(vec3 a, vec3 b, vec3 c) {
     const glm::dvec3 n = glm::abs(glm::cross(glm::dvec3(b - a), glm::dvec3(c - a)));

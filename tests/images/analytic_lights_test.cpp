@@ -65,12 +65,31 @@ void add_polygon(Scene &scene, const std::vector<vec3> &corners) {
 
 const std::vector<vec3> quad = {{-1, 2, -1}, {-1, 2, 1}, {1, 2, 1}, {1, 2, -1}};
 
+const vec3 tilted_center(0.2f, 1.5f, 0.1f), tilted_normal(0.3f, -1, 0.2f);
+
+/// Corners of a polygon that all but has a disk's area.
+std::vector<vec3> rim(vec3 center, vec3 normal, Real radius) {
+    constexpr int corners = 2048;
+    const glm::dvec3 n = glm::normalize(glm::dvec3(normal)), x = glm::normalize(glm::cross(n, glm::dvec3(1, 0, 0))), y = glm::cross(n, x);
+    const double step = 2 * double(pi) / corners, reach = double(radius) * std::sqrt(step / std::sin(step));
+    std::vector<vec3> points;
+    for (int i = 0; i < corners; ++i) points.push_back(vec3(glm::dvec3(center) + reach * (std::cos(i * step) * x + std::sin(i * step) * y)));
+    return points;
+}
+
 /// From a point beyond its tip a cone is a disk with its rim, however high it is: all of it faces the point.
 const std::vector<Analytic> lamps = {
     {"Quad", [](Scene &scene) { add_polygon(scene, quad); }, [](vec3 place) { return polygon_factor(quad, place); }},
     {"Pentagon", [](Scene &scene) { add_polygon(scene, flattened(pentagon)); },
      [](vec3 place) { return polygon_factor(flattened(pentagon), place); }},
     {"Disk",
+     [](Scene &scene) {
+         add_disk(scene, 1, {-0.1f, 1.2f, 0.3f}, {0, -1, 0}, 0.9f);
+     },
+     [](vec3 place) { return disk_factor(0.9L, 1.2L, std::hypot(Real(place.x) + 0.1L, Real(place.z) - 0.3L)); }},
+    {"TiltedDisk", [](Scene &scene) { add_disk(scene, 1, tilted_center, tilted_normal, 0.8f); },
+     [](vec3 place) { return polygon_factor(rim(tilted_center, tilted_normal, 0.8L), place); }},
+    {"Cone",
      [](Scene &scene) {
          add_frustum(scene, 1, {0.2f, 1.5f, 0.1f}, 0.8f, {0.2f, 1.3f, 0.1f}, 0);
      },

@@ -51,6 +51,21 @@ const std::vector<Lamp> lamps = {
          add_triangle_mesh(scene, 1, {.positions = {{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}}, .indices = {0, 1, 2, 0, 3, 2}});
      },
      true, true},
+    {"Disk",
+     [](Scene &scene) {
+         add_disk(scene, 1, {0, 1, 0}, {0.2f, -1, 0}, 0.7f);
+     },
+     true, false},
+    {"DiskFromBehind",
+     [](Scene &scene) {
+         add_disk(scene, 1, {0, 1, 0}, {0.2f, 1, 0}, 0.7f);
+     },
+     false, true},
+    {"MirroredDisk",
+     [](Scene &scene) {
+         add_disk(scene, 1, {0, 1, 0}, {0.2f, -1, 0}, 0.7f), place(scene, scaling({-1, 1, 0.5}));
+     },
+     true, false},
     {"Sphere",
      [](Scene &scene) {
          add_sphere(scene, 1, {0.5f, 1, 0.3f}, 0.8f);

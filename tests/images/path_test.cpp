@@ -102,6 +102,14 @@ const std::vector<Lamps> all_lamps = {
      [](Scene &scene) {
          scene.shapes.push_back(make_frustum(1, {-1, 0.5f, 0}, 0.3f, {1, 1, 0.5f}, 0.1f));
      }},
+    {"Disk",
+     [](Scene &scene) {
+         add_disk(scene, 1, {0.3f, 0.8f, 0.2f}, {0.2f, -1, 0.1f}, 0.6f);
+     }},
+    {"StretchedDisk",
+     [](Scene &scene) {
+         add_disk(scene, 1, {0, 0, 0}, {0.2f, 1, 0.1f}, 1), place_stretched(scene);
+     }},
     {"StretchedSphere",
      [](Scene &scene) {
          add_sphere(scene, 1, {0, 0, 0}, 1), place_stretched(scene);

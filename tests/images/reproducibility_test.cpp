@@ -33,7 +33,7 @@ Scene scene_of_everything(uint width, uint height, uint spp) {
     scene.lights.push_back(directional_light({-1, 1, 0.5f}, {0.5f, 0.6f, 0.9f}));
     scene.lights.push_back(spot_light({-2, 2, 2}, {0, 0, 0}, {5, 9, 6}, 50, 0.5));
     shiny.emission = {2, 1, 3};
-    add_soup(scene, add_material(scene, shiny), {.counts = {{"sphere", 1}, {"triangle", 1}, {"frustum", 1}}, .seed = 4});
+    add_soup(scene, add_material(scene, shiny), {.counts = {{"sphere", 1}, {"triangle", 1}, {"frustum", 1}, {"disk", 1}}, .seed = 4});
     return scene;
 }
 

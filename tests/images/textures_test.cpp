@@ -124,6 +124,18 @@ TEST(Textures, OnCylindersVGrowsFromTheBaseToTheApex) {
     });
 }
 
+// A disk of radius 1 about the origin, seen from where its normal leads: u turns counterclockwise, as on a cylinder about it; v is the distance.
+TEST(Textures, OnDisksVGrowsFromTheCentreToTheRim) {
+    Scene scene = scene_seen_from({0, 0, 2}, {0, 0, 0});
+    add_disk(scene, add_textured(scene, add_gradient(scene)), {0, 0, 0}, {0, 0, 3}, 1);
+    expect_places(scene, [](uint x, uint y) -> std::optional<glm::dvec2> {
+        const dvec3 d = direction_of(x, y), p = dvec3(0, 0, 2) - d * (2 / d.z);
+        const double distance = std::hypot(p.x, p.y), u = 0.5 + std::atan2(p.x, -p.y) / (2 * pi);
+        if (distance < 0.1 || distance > 0.95 || std::abs(u - 0.5) > 0.48) return {};  // where the picture's edges meet
+        return glm::dvec2(u, distance);
+    });
+}
+
 // A sphere and a cylinder, placed in the world by a turn that brings their y axis to -z, by a mirror, and by a stretch along x: the point p of the
 // world lies at q in the group's space, whose picture is that of the sphere, or of the cylinder of radius 1 from -1 (v = 0) to 1, there.
 TEST(Textures, OfSpheresAndCylindersGoWithTheirInstances) {

@@ -42,6 +42,7 @@
 #include "kernels/lights/light_choice.h"
 #include "kernels/lights/point.h"
 #include "kernels/lights/spot.h"
+#include "kernels/primitives/disk.h"
 #include "kernels/primitives/frustum.h"
 #include "kernels/primitives/instance.h"
 #include "kernels/primitives/motion.h"
@@ -168,6 +169,7 @@ const Layouts &host_layouts() {
         RECORD(EmissivePoint, p, normal, error, inverse_density),
         RECORD(EmissiveMesh, emission, first_face, faces),
         RECORD(EmissiveSphere, emission, center, radius),
+        RECORD(EmissiveDisk, emission, center, normal, radius),
         RECORD(EmissiveFrustum, emission, center, along, radius, rise),
         RECORD(EmissiveFlat, power, folded, corner, u, v, instance, dark),
         RECORD(EmissiveFace, corner, u, v, normal, folded, error, kept, alias, first, last),
@@ -183,6 +185,8 @@ const Layouts &host_layouts() {
         RECORD(VertexNormals, a, b, c),
         RECORD(VertexUvs, a, b, c),
         RECORD(VertexColors, a, b, c),
+        RECORD(DiskBlock, primitive, center, normal, radius, low, high),
+        RECORD(DiskShading, center, normal, radius),
         RECORD(FrustumBlock, primitive, center, axis, half_length, radius, slope, side, low, high),
         RECORD(FrustumShading, center, axis, radius, slope, half_length),
         RECORD(Perspective, corner, right, down),

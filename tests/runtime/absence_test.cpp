@@ -114,11 +114,12 @@ TEST(Absence, ASceneOfOneKindHasNoOtherPrimitivesCode) {
 }
 
 TEST(Absence, LightsOfOtherKindsAreNotThere) {
-    expect_absent(spheres_only(matte(0.5f)), {"directional", "spot_", "emissive_mesh", "emissive_sphere", "emissive_frustum", "stratum_point"});
+    expect_absent(spheres_only(matte(0.5f)),
+                  {"directional", "spot_", "emissive_mesh", "emissive_sphere", "emissive_frustum", "emissive_disk", "stratum_point"});
     expect_absent(triangles_only(matte(0.5f)), {"point_sample", "spot_", "attenuation"});
     expect_present(everything(), "kernels/integrators/whitted.cl", "directional_sample");
     expect_present(everything(), "kernels/integrators/whitted.cl", "spot_sample");
-    for (const char *kind : {"emissive_mesh_sample", "emissive_sphere_sample", "emissive_frustum_sample"})
+    for (const char *kind : {"emissive_mesh_sample", "emissive_sphere_sample", "emissive_frustum_sample", "emissive_disk_sample"})
         expect_present(everything(), "kernels/integrators/whitted.cl", kind);
 }
 

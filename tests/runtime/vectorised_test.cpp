@@ -53,6 +53,8 @@ std::string scene_of(const std::string &material, const std::string &filter = "b
         "objects": [{"type": "sphere", "material": "m", "center": [0, 0, 0], "radius": 1},
             {"type": "sphere", "material": "lamp", "center": [0, 3, 0], "radius": 0.5},
             {"type": "cylinder", "material": "lamp", "base": [-2, 3, 0], "apex": [-2, 4, 0], "radius": 0.5},
+            {"type": "disk", "material": "lamp", "center": [3, 3, 0], "normal": [0, -1, 0], "radius": 0.5},
+            {"type": "disk", "material": "m", "center": [3, 0, 0], "normal": [0, 1, 0], "radius": 0.5},
             {"type": "polygon", "material": "lamp", "vertices": [[1, 3, 0], [2, 3, 0], [2, 3, 1], [1, 3, 2]]},
             {"type": "cylinder", "material": "m", "base": [-2, -1, 0], "apex": [-2, 1, 0], "radius": 0.5},
             {"type": "polygon", "material": "m", "vertices": [[-4, -1, 4], [4, -1, 4], [4, -1, -4], [-4, -1, -4]]},

@@ -24,12 +24,14 @@ void add_any_frustum(Scene &scene, uint material, Random &random, vec3 place, fl
     add_frustum(scene, material, base, base_radius, apex, apex_radius);
 }
 
+void add_any_disk(Scene &scene, uint material, Random &random, vec3 place, float size) {
+    add_disk(scene, material, place, random.direction(), random.uniform(0.1f, 1) * size);
+}
+
 /// By the kind's name. A new kind is added here.
 const std::map<std::string, AddPrimitive> makers = {
-    {"sphere", add_any_sphere},
-    {"triangle", add_any_triangle},
-    {"smooth_triangle", add_any_smooth_triangle},
-    {"frustum", add_any_frustum},
+    {"sphere", add_any_sphere},   {"triangle", add_any_triangle}, {"smooth_triangle", add_any_smooth_triangle},
+    {"frustum", add_any_frustum}, {"disk", add_any_disk},
 };
 
 }  // namespace

@@ -70,6 +70,8 @@ std::vector<SceneText> bad_scenes() {
         with_object("NegativeRadius", sphere + R"("radius": -1})", {"/objects/0/radius", "-1"}),
         with_object("NegativeCylinder", R"({"type": "cylinder", "material": "grey", "base": [0,0,0], "apex": [0,1,0], "radius": -1})",
                     {"radius", "-1"}),
+        with_object("DiskWithoutNormal", R"({"type": "disk", "material": "grey", "center": [0,0,0], "normal": [0,0,0], "radius": 1})",
+                    {"/objects/0/normal", "zero"}),
         with_object("RadiusIsText", sphere + R"("radius": "1"})", {"radius", "number"}),
         with_object("NumberBeyondFloat", sphere + R"("radius": 1e39})", {"radius", "float"}),
         with_object("NumberBeyondSquares", sphere + R"("radius": 1e30})", {"radius", "1e15"}),

@@ -61,6 +61,14 @@ class MitsubaScene(unittest.TestCase):
         self.assertIn("one matrix", self.refusal(shapes=sphere('<transform name="to_world"><scale value="2"/></transform>')))
         self.assertIn("flip_normals", self.refusal(shapes=sphere('<boolean name="flip_normals" value="true"/>')))
 
+    def test_disks_keep_their_front_in_a_mirror(self):
+        disk = lambda values: self.scene(shapes=f'{GREY}<shape type="disk">{matrix(values)}<ref id="grey"/></shape>')["objects"][0]
+        turned = disk("0 0 5 1 2 0 0 2 0 2 0 3 0 0 0 1")
+        self.assertEqual(turned, {"type": "disk", "material": "grey", "center": [1, 2, 3], "normal": [1, 0, 0], "radius": 2})
+        self.assertEqual(disk("0 2 0 1 2 0 0 2 0 0 1 3 0 0 0 1")["normal"], [0, 0, 1])
+        oval = f'{GREY}<shape type="disk">{matrix("2 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1")}<ref id="grey"/></shape>'
+        self.assertIn("an ellipse", self.refusal(shapes=oval))
+
     def test_metals_have_an_index_or_a_name(self):
         metal = lambda inside: next(iter(self.scene(shapes=with_metal(inside))["materials"]))
         self.assertEqual(metal('<string name="material" value="Au"/>')["metal"], "gold")

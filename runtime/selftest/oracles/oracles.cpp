@@ -10,7 +10,8 @@ namespace {
 const std::vector<std::unique_ptr<PrimitiveOracle>> &known_oracles() {
     static const auto oracles = [] {
         std::vector<std::unique_ptr<PrimitiveOracle>> list;
-        for (const auto make : {make_sphere_oracle, make_triangle_oracle, make_smooth_triangle_oracle, make_frustum_oracle}) list.push_back(make());
+        for (const auto make : {make_sphere_oracle, make_triangle_oracle, make_smooth_triangle_oracle, make_frustum_oracle, make_disk_oracle})
+            list.push_back(make());
         return list;
     }();
     return oracles;

@@ -10,5 +10,6 @@ std::unique_ptr<PrimitiveOracle> make_sphere_oracle();
 std::unique_ptr<PrimitiveOracle> make_triangle_oracle();
 std::unique_ptr<PrimitiveOracle> make_smooth_triangle_oracle();
 std::unique_ptr<PrimitiveOracle> make_frustum_oracle();
+std::unique_ptr<PrimitiveOracle> make_disk_oracle();
 
 }  // namespace brandung

@@ -96,9 +96,10 @@ private:
         });
     }
 
-    /// From the first coordinate of a kind that is not flat, which goes around, to its true one.
+    /// From the first coordinate of a kind without vertices, which goes around, to its true one.
     extended around(extended difference) const {
-        return oracle_.kind().is_flat ? difference : lesser(absolute(difference), absolute(1 - absolute(difference)));
+        if (oracle_.kind().has_vertices || absolute(difference) <= 0.5) return difference;
+        return difference < 0 ? difference + 1 : difference - 1;
     }
 
     template <class Describe>
@@ -157,9 +158,9 @@ private:
                              Findings &findings) const {
         const Place here = oracle_.place_on(cases.lane(i), cases.rays[i], result.t), there = oracle_.place_on(cases.lane(i), cases.rays[i], exact.t);
         for (uint k = 0; k < 2; ++k) {
-            const extended off = (result.uv[k] - here.uv[k]) - (exact.uv[k] - there.uv[k]);
-            if (here.error[k] < 0.5)
-                findings.rounding_of(Quantity::uv).add(double(absolute(k == 0 ? around(off) : off)), 2 * double(here.error[k]), 2 * unit_roundoff, 1);
+            const extended one = result.uv[k] - here.uv[k], other = exact.uv[k] - there.uv[k];
+            const extended off = k == 0 ? around(one) - around(other) : one - other;
+            if (here.error[k] < 0.5) findings.rounding_of(Quantity::uv).add(double(absolute(off)), 2 * double(here.error[k]), 2 * unit_roundoff, 1);
         }
         if (cases.normals.empty() || dot(wide(result.normal), wide(exact.normal)) < 0) return;
         const Normal shading = oracle_.shading_normal_on(cases.lane(i), cases.normals[i], cases.rays[i], result.t);

@@ -89,6 +89,20 @@ Scene hairs() {
     return scene;
 }
 
+/// Disks that touch or overlap in planes of two axes, whose boxes are flat, and in one askew plane, where rounding decides which is met first.
+Scene disks_in_planes() {
+    Scene scene = empty_scene();
+    add_one_of_each_kind(scene);
+    Random random(14);
+    const vec3 askew = random.direction();
+    for (uint i = 0; i < 300; ++i) {
+        const vec3 p = 0.25f * glm::round(4.0f * random.in_cube(1)), axis(i % 4 == 0, i % 4 == 1, i % 4 == 2);
+        if (i % 4 < 3) add_disk(scene, 0, p, i % 8 < 4 ? axis : -axis, 0.125f * float(1 + random.below(3)));
+        if (i % 4 == 3) add_disk(scene, 0, p - askew * glm::dot(askew, p), askew, random.uniform(0.1f, 0.5f));
+    }
+    return scene;
+}
+
 constexpr vec3 eye(0, 0, 3);  // from the centre
 
 /// Nearly edge on as seen from the eye: there t is worst conditioned.
@@ -103,6 +117,7 @@ Scene edge_on() {
         if (i % 3 == 0) add_triangle(scene, 0, a, b, c);
         if (i % 3 == 1) add_smooth_triangle(scene, 0, a, b, c, vec3(0));
         if (i % 3 == 2) add_frustum(scene, 0, a, thin, b, 2 * thin);
+        if (i % 3 == 0) add_disk(scene, 0, a, glm::cross(away, random.direction()) + thin * random.direction(), random.uniform(0.05f, 0.3f));
     }
     return scene;
 }
@@ -178,6 +193,7 @@ std::vector<SceneKind> scene_kinds() {
         {"mixture", mixture, {}},
         {"duplicates", duplicates, {}},
         {"grid", grid, {}},
+        {"disks_in_planes", disks_in_planes, {}},
         {"edge_on", edge_on, {}},
         {"far_away", far_away, {8192, -8192, 8192}},
         {"flat_rings", flat_rings, {}},

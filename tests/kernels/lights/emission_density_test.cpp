@@ -162,6 +162,17 @@ const std::vector<Lit> all_lit = {
      [](Scene &scene) {
          add_frustum(scene, 1, {0, 0, 1}, 1, {0.5f, 1, 1.5f}, 0.2f);
      }},
+    {"Disk",
+     [](Scene &scene) {
+         add_disk(scene, 1, {0.2f, 0.3f, 1}, {0.3f, -0.2f, -1}, 1.2f);
+     }},
+    {"StretchedDisk",
+     [](Scene &scene) {
+         add_disk(scene, 1, {0, 0, 0}, {0.5f, 0, 1}, 1.5f);
+         const uint group = add_group(scene, "lamp", std::exchange(scene.shapes, {}));
+         ASSERT_FALSE(
+             add_instance(scene, group, then(scaling({-0.5, 1, 0.6}), then(rotation(40, {1, 2, 3}), translation({0.3, 0, 1}))), NO_MATERIAL));
+     }},
     {"StretchedTriangle",
      [](Scene &scene) {
          add_triangle(scene, 1, {-1, -1, 0.5f}, {1, -1, 0}, {0, 1, 0});
@@ -205,6 +216,7 @@ const std::vector<Lit> curved = {
 void add_stretched_together(Scene &scene) {
     add_sphere(scene, 1, {0, 0, 0}, 0.5f), add_frustum(scene, 1, {0, 0, 1}, 0.5f, {0, 1, 1}, 0.2f);
     add_triangle(scene, 1, {-2, -1, 0.5f}, {-1, -1, 0}, {-2, 1, 0});
+    add_disk(scene, 1, {0, -1, 1}, {0.2f, 1, -1}, 0.4f);
     const uint group = add_group(scene, "lamp", std::exchange(scene.shapes, {}));
     ASSERT_FALSE(add_instance(scene, group, then(scaling({-0.6, 1, 1.6}), then(rotation(40, {1, 2, 3}), translation({0.5, 0, 1.5}))), NO_MATERIAL));
     add_sphere(scene, 1, {-1, -1, 1}, 0.3f);

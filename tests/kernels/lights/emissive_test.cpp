@@ -102,6 +102,15 @@ TEST_P(EmissiveShape, ConesShineUniformlyByArea) {
     }));
 }
 
+/// Around the middle of a disk the squared radius is uniform.
+TEST_P(EmissiveShape, DisksShineUniformlyByArea) {
+    Scene scene = scene_with_lamp();
+    scene.integrator.light_samples = GetParam();
+    add_disk(scene, 1, {0, 2, 0}, {0, -1, 0}, 1.5f);
+    const vec3 p(0.5f, 0, 0.2f);
+    expect_uniform(counts_in_square(ways_to_lamp(scene, p), p, 16, [](vec3 q) { return vec2((q.x * q.x + q.z * q.z) / 2.25f, turn_of(q)); }));
+}
+
 /// A square of triangles of very different size and shape.
 TEST_P(EmissiveShape, MeshesShineUniformlyByArea) {
     Scene scene = scene_with_lamp();

@@ -108,7 +108,7 @@ TEST(Groups, ErrorsNameLineAndCause) {
     expect(instance, transform(R"({"scale": 9e14})"), ":9: /objects/0/transform: places the group beyond 1e15");
     expect(R"("name": "unused")", R"("name": "ball")", ":6: /groups/1/name: \"ball\" is the name of an earlier one");
     expect(R"("objects": []})", R"("objects": [{"type": "instance", "group": "ball"}]})",
-           ":7: /groups/2/objects/0/type: must be one of sphere, frustum, cylinder, triangle_mesh, polygon, mesh, got \"instance\"");
+           ":7: /groups/2/objects/0/type: must be one of sphere, disk, frustum, cylinder, triangle_mesh, polygon, mesh, got \"instance\"");
     expect(R"("objects": []})", R"("things": []})", ":7: /groups/2/things: unknown key; known here: name, objects");
 }
 

@@ -42,6 +42,10 @@ Point near(Dice &dice, const RandomSpace &space, const Point &other) {
 
 Json sphere(Dice &dice, const RandomSpace &space) { return {{"type", "sphere"}, {"center", point(dice, space, 1)}, {"radius", radius(dice, space)}}; }
 
+Json disk(Dice &dice, const RandomSpace &space) {
+    return {{"type", "disk"}, {"center", point(dice, space, 1)}, {"normal", random_direction(dice)}, {"radius", radius(dice, space)}};
+}
+
 Json frustum(Dice &dice, const RandomSpace &space) {
     const Point base = point(dice, space, 1);
     return {{"type", "frustum"},
@@ -135,7 +139,7 @@ nlohmann::ordered_json random_object(Dice &dice, const RandomSpace &space, uint 
         if (dice.chance(50)) return object;
     } else {
         using Make = Json (*)(Dice &, const RandomSpace &);
-        object = dice.pick<Make>({sphere, sphere, frustum, cylinder, triangle_mesh, triangle_mesh, polygon})(dice, space);
+        object = dice.pick<Make>({sphere, sphere, disk, frustum, cylinder, triangle_mesh, triangle_mesh, polygon})(dice, space);
     }
     object["material"] = std::to_string(dice.below(materials));
     return object;

@@ -14,5 +14,5 @@
 #define ONE_BSDF 0
 #define CHOOSES 1
 #define FACETS 3u
-#define INSTANCE_KIND 4u
-#define FLAT_KINDS 0x3u
+#define INSTANCE_KIND 5u
+#define FLAT_KINDS 0x16u

@@ -2,5 +2,5 @@
 #pragma once
 #include "generated/primitives.cl"
 #define NAME(function) sphere_##function
-#define IS_FLAT 0
+#define HAS_VERTICES 0
 typedef SphereBlock Block;

@@ -1,5 +1,6 @@
 // Every kind, for lint and editors.
 #pragma once
+#include "kernels/primitives/disk.cl"
 #include "kernels/primitives/frustum.cl"
 #include "kernels/primitives/smooth_triangle.cl"
 #include "kernels/primitives/sphere.cl"
