@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <numeric>
+#include <utility>
 
+#include "kernels/bsdfs/loss_table.h"
 #include "scene/bsdfs/bsdf.h"
 #include "scene/bsdfs/choosing.h"
 #include "scene/compilation/parts.h"
@@ -39,11 +41,12 @@ void expect_whitted(const Scene &scene) {
 }
 
 /// As if the scene used whatever changes no picture by being there.
-void use_everything(const Scene &scene, CompiledScene &compiled) {
+void use_everything(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     compiled.bsdfs = numbers_of(bsdf_kinds()), compiled.lights = numbers_of(light_kinds());
     compiled.moves = compiled.reflects = compiled.transmits = compiled.chooses = compiled.emissive_instances = compiled.environment =
         compiled.highlights = compiled.shading_normals = compiled.tints = true;
     compiled.facets = 3;
+    if (!std::exchange(compiled.losses, true)) arena.make(sizeof(LossTable), 0);  // kernels read what is behind materials
     compiled.bundles = compiled.paths;
     compiled.filters_shadows = !compiled.paths && scene.integrator.filtered_shadows;
     compiled.interior_size = max_interior_size;
@@ -62,7 +65,7 @@ CompiledScene compile(const Scene &scene, const CompileOptions &options) {
     add_materials(scene, compiled, arena);
     add_lights(scene, compiled, arena);
     expect_to_fit(scene, compiled, options.limit);
-    if (options.kinds == Kinds::all) use_everything(scene, compiled);
+    if (options.kinds == Kinds::all) use_everything(scene, compiled, arena);
     compiled.filter = splats(scene.film) ? 0 : scene.film.filter;
     compiled.sampler = scene.film.sampler;
     compiled.header.background = scene.background;

@@ -39,6 +39,7 @@ struct CompiledScene {
     bool emissive_instances = false;           ///< whether any light is an emissive shape of an instance
     bool environment = false;                  ///< whether the background is a light
     uint facets = 0;                           ///< a bit for each distribution that rough surfaces have
+    bool losses = false;                       ///< whether rough dielectrics have tables of what their facets take from each other
     bool highlights = false;                   ///< whether any material has one
     bool ideal = false;                        ///< whether any mirrors light, or lets it pass, in single directions
     bool shading_normals = false;              ///< whether any primitive has normals of its own for shading

@@ -1,9 +1,9 @@
 // An interface between two media, smooth or rough (Walter et al., EGSR 2007). Light that more than one facet meets is left by a lobe of its own on
 // either side (after Kulla & Conty, SIGGRAPH course 2017), so that none is lost.
 #pragma once
+#include "generated/losses.cl"
 #include "kernels/bsdfs/bsdf.h"
 #include "kernels/bsdfs/dielectric.h"
-#include "kernels/bsdfs/dielectric_loss.cl"
 #include "kernels/bsdfs/microfacet.cl"
 #include "kernels/bsdfs/sample.cl"
 #include "kernels/bsdfs/shadowed.cl"
@@ -19,7 +19,7 @@ FUNCTION Dielectric dielectric_view(const global Material *m) {
 }
 
 /// Whether it is a single direction that light is mirrored into, and one that it is refracted into. Between media of one index nothing bends it.
-FUNCTION bool is_smooth(Dielectric d, float eta) { return !is_rough(d.alpha) | (eta == 1.0f); }
+FUNCTION bool is_smooth(Dielectric d, float eta) { return !HAS_LOSSES || (!is_rough(d.alpha) | (eta == 1.0f)); }
 
 /// The part of light that a facet mirrors.
 FUNCTION float facet_reflectance(float cosine, float cosine_squared_beyond, float eta) {
@@ -31,18 +31,18 @@ typedef struct {
     float loss;                               ///< part of the light along wo
     float mirrored;                           ///< part of `loss` that comes back
     float inverse_mean, inverse_mean_beyond;  ///< of the losses on either side, over π
-    LossRows rows, rows_beyond;
+    Losses losses, losses_beyond;
 } Diffusion;
 
 /// Shares of both sides are such that the lobe through the interface is reciprocal: proportional, on each side, to 1 over its index squared times its
 /// mean loss. Of the side where the product is less, as much passes as if the light met the interface once more, from everywhere (Fresnel's mean
 /// reflectance: fit by Kulla & Conty for the side of the lower index).
-FUNCTION Diffusion diffusion_of(Dielectric d, float eta, float cosine) {
+FUNCTION Diffusion diffusion_of(const global Material *m, Dielectric d, float eta, float cosine) {
     const float ratio = eta > 1.0f ? eta : 1.0f / eta, passes = 1.0f - (ratio - 1.0f) / fma(1.00071f, ratio, 4.08567f);
     Diffusion r;
-    r.rows = loss_rows(d.distribution, d.alpha, eta), r.rows_beyond = loss_rows(d.distribution, d.alpha, 1.0f / eta);
-    const float mean = mean_loss(r.rows), mean_beyond = mean_loss(r.rows_beyond), here = eta * eta * mean;
-    r.loss = is_smooth(d, eta) ? 0.0f : loss(r.rows, cosine);
+    r.losses = losses_of(m, d.alpha, eta), r.losses_beyond = losses_of(m, d.alpha, 1.0f / eta);
+    const float mean = mean_loss(r.losses), mean_beyond = mean_loss(r.losses_beyond), here = eta * eta * mean;
+    r.loss = is_smooth(d, eta) ? 0.0f : loss(r.losses, cosine);
     r.mirrored = 1.0f - passes * minimum(here, mean_beyond) / here;
     r.inverse_mean = INVERSE_PI / mean, r.inverse_mean_beyond = INVERSE_PI / mean_beyond;
     return r;
@@ -77,10 +77,9 @@ FUNCTION Lobes facet_lobes(Dielectric d, float eta, vec3 wo, vec3 wi) {
 FUNCTION Lobes all_lobes(Dielectric d, Diffusion diffusion, float eta, vec3 wo, vec3 wi) {
     const bool mirrors = wi.z > 0.0f;
     const float cosine = fabs(wi.z), part = diffusion.loss * (mirrors ? diffusion.mirrored : 1.0f - diffusion.mirrored);
-    const float loss_of_wi =
-        mirrors ? loss(diffusion.rows, cosine) * diffusion.inverse_mean : loss(diffusion.rows_beyond, cosine) * diffusion.inverse_mean_beyond;
+    const float loss_of_wi = loss(where(mirrors, diffusion.losses, diffusion.losses_beyond), cosine);
     Lobes r = facet_lobes(d, eta, wo, wi);
-    r.value = fma(part * cosine, loss_of_wi, r.value);
+    r.value = fma(part * cosine, loss_of_wi * (mirrors ? diffusion.inverse_mean : diffusion.inverse_mean_beyond), r.value);
     r.pdf = fma(part, shadowed_density(d.alpha, cosine), (1.0f - diffusion.loss) * r.pdf);
     return r;
 }
@@ -89,7 +88,7 @@ FUNCTION Spectrum dielectric_factor(Dielectric d, float eta, bool mirrors) { ret
 
 FUNCTION BsdfValue dielectric_eval(const global Material *m, BsdfPoint point, vec3 wi) {
     const Dielectric d = dielectric_view(m);
-    const Lobes lobes = all_lobes(d, diffusion_of(d, point.eta, point.wo.z), point.eta, point.wo, wi);
+    const Lobes lobes = all_lobes(d, diffusion_of(m, d, point.eta, point.wo.z), point.eta, point.wo, wi);
     const bool nothing = is_smooth(d, point.eta) | (wi.z == 0.0f);
     BsdfValue result;
     result.value = scaled(dielectric_factor(d, point.eta, wi.z > 0.0f), nothing ? 0.0f : lobes.value);
@@ -116,10 +115,10 @@ FUNCTION FacetSample facet_sample(Dielectric d, float eta, vec3 wo, vec2 u, floa
 
 /// What a facet mirrors into the surface, or refracts out of it, goes nowhere, which a direction within the surface stands for: the diffuse lobes
 /// have that light.
-FUNCTION vec3 dielectric_direction(Dielectric d, float eta, vec3 wo, vec2 u, float choice) {
-    const Diffusion diffusion = diffusion_of(d, eta, wo.z);
-    const bool is_diffuse = FACETS != 0u && choice < diffusion.loss;
-    const float rest = FACETS != 0u ? minimum((choice - diffusion.loss) / (1.0f - diffusion.loss), 0.99999994f) : choice;
+FUNCTION vec3 dielectric_direction(const global Material *m, Dielectric d, float eta, vec3 wo, vec2 u, float choice) {
+    const Diffusion diffusion = diffusion_of(m, d, eta, wo.z);
+    const bool is_diffuse = HAS_LOSSES && choice < diffusion.loss;
+    const float rest = HAS_LOSSES ? minimum((choice - diffusion.loss) / (1.0f - diffusion.loss), 0.99999994f) : choice;
     const FacetSample facet = facet_sample(d, eta, wo, u, rest);
     const vec3 up = shadowed_direction(d.alpha, u), diffuse = where(choice < diffusion.loss * diffusion.mirrored, up, negate(up));
     const bool leaves = facet.mirrors ? facet.wi.z > 0.0f : facet.wi.z < 0.0f;
@@ -128,7 +127,7 @@ FUNCTION vec3 dielectric_direction(Dielectric d, float eta, vec3 wo, vec2 u, flo
 
 FUNCTION BsdfSample dielectric_sample(const global Material *m, BsdfPoint point, vec2 u, float choice) {
     const Dielectric d = dielectric_view(m);
-    const vec3 wi = dielectric_direction(d, point.eta, point.wo, u, choice);
+    const vec3 wi = dielectric_direction(m, d, point.eta, point.wo, u, choice);
     const bool smooth = is_smooth(d, point.eta);
     BsdfSample sample = sample_towards(wi, dielectric_eval(m, point, wi));
     sample.weight = where(smooth, dielectric_factor(d, point.eta, wi.z > 0.0f), sample.weight);

@@ -31,6 +31,7 @@ typedef struct {
 #define MATERIAL_PASSES 2048u      ///< or for transmission
 #define MATERIAL_IDEAL 4096u       ///< it mirrors light, or lets it pass, in single directions
 #define MATERIAL_FACETS 8192u      ///< its facets are of distribution 0; the next bit: of distribution 1 (kernels/bsdfs/microfacet.cl)
+#define MATERIAL_LOSES 32768u      ///< they take light from each other as a table of losses says (kernels/bsdfs/losses.cl)
 
 /// A surface's material; 128 bytes. `words` is the kind's own.
 typedef struct {

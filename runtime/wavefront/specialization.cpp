@@ -102,6 +102,7 @@ Sources specialize(const CompiledScene &scene, RayLanes lanes, Times times) {
     sources["generated/filter.cl"] = include(fmt::format("filters/{}.cl", filter_kinds()[scene.filter].file));
     sources["generated/interior.cl"] = include(scene.transmits ? "core/interior.cl" : "core/no_interior.cl");
     sources["generated/choosing.cl"] = include(scene.chooses ? "bsdfs/choosing.cl" : "bsdfs/no_choosing.cl");
+    sources["generated/losses.cl"] = include(scene.losses ? "bsdfs/losses.cl" : "bsdfs/no_losses.cl");
     sources["generated/tints.cl"] = include(scene.tints ? "core/tints.cl" : "core/no_tints.cl");
     sources["generated/shadow_filter.cl"] = include(scene.filters_shadows ? "core/shadow_filter.cl" : "core/no_shadow_filter.cl");
     sources["generated/constants.h"] = fmt::format(

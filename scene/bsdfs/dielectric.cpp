@@ -17,7 +17,7 @@ Material read_dielectric(const Parameters &parameters, Scene &) {
     dielectric.alpha = facets.alpha, dielectric.distribution = facets.distribution;
     const bool transmits = largest(dielectric.transmission) > 0, scatters = transmits || largest(dielectric.reflection) > 0;
     const uint lobes = facets.alpha > 0 ? MATERIAL_LIT | MATERIAL_GLOSSY | flags_of(facets) : MATERIAL_IDEAL;
-    const uint flags = (transmits ? MATERIAL_TRANSMITS | MATERIAL_PASSES : 0) | (scatters ? lobes : 0);
+    const uint flags = (facets.alpha > 0 ? MATERIAL_LOSES : 0) | (transmits ? MATERIAL_TRANSMITS | MATERIAL_PASSES : 0) | (scatters ? lobes : 0);
     Material material = material_of_kind("dielectric", flags, dielectric);
     material.eta = parameters.positive("eta", 1.5f);
     material.priority = parameters.integer("priority", 0, 0, max_priority);

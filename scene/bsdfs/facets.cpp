@@ -16,15 +16,6 @@ constexpr uint beckmann = 1;
 constexpr float least_roughness = 0.01f;
 constexpr int nodes = 32, steps = 64;
 
-/// As in kernels/bsdfs/microfacet.cl.
-double visible_area(const Facets &facets, double cosine) {
-    const double spread = facets.alpha * std::sqrt((1 - cosine) * (1 + cosine));
-    if (facets.distribution != beckmann) return (cosine + std::hypot(cosine, spread)) / 2;
-    if (spread == 0) return cosine;
-    const double a = cosine / spread;
-    return cosine * (1 + std::erf(a)) / 2 + spread * std::exp(-a * a) / (2 * std::sqrt(pi));
-}
-
 /// Of the facets' normals, the squared slope beyond which this part lies.
 double squared_slope(const Facets &facets, double beyond) {
     const double unit = facets.distribution == beckmann ? -std::log(beyond) : (1 - beyond) / beyond;
@@ -50,22 +41,33 @@ Facets read_facets(const Parameters &parameters, float roughness) {
     return {roughness < least_roughness ? 0 : roughness * roughness, parameters.choice("distribution", {"ggx", "beckmann"}, 0)};
 }
 
-/// Of normals by the part of them that are steeper, and their azimuth: D and the measure cancel. A step with two smooth derivatives takes the roots
-/// at both ends away.
 uint flags_of(const Facets &facets) { return facets.alpha > 0 ? MATERIAL_FACETS << facets.distribution : 0; }
 
+/// As in kernels/bsdfs/microfacet.cl.
+double visible_area(const Facets &facets, double cosine) {
+    const double spread = facets.alpha * std::sqrt((1 - cosine) * (1 + cosine));
+    if (facets.distribution != beckmann) return (cosine + std::sqrt(cosine * cosine + spread * spread)) / 2;
+    if (cosine > 6 * spread) return cosine;  // what is beyond a double's rounding
+    const double a = cosine / spread;
+    return cosine * (1 + std::erf(a)) / 2 + spread * std::exp(-a * a) / (2 * std::sqrt(pi));
+}
+
+FacetSlope facet_slope(const Facets &facets, double w) {
+    const double slope2 = squared_slope(facets, w * w * w * (10 + w * (6 * w - 15))), z = 1 / std::sqrt(1 + slope2);
+    return {z, std::sqrt(slope2) * z, 30 * w * w * (1 - w) * (1 - w)};
+}
+
+/// Of normals by their slope and azimuth.
 double reflectance_of(const Facets &facets, const Reflectance &of_facet, double cosine) {
     const double sine = std::sqrt((1 - cosine) * (1 + cosine)), area = visible_area(facets, cosine);
     double sum = 0;
     for (int i = 0; i < steps; ++i) {
-        const double w = (i + 0.5) / steps, weight = 30 * w * w * (1 - w) * (1 - w) / (steps * steps);
-        const double slope2 = squared_slope(facets, w * w * w * (10 + w * (6 * w - 15))), z = 1 / std::sqrt(1 + slope2),
-                     radius = std::sqrt(slope2) * z;
+        const auto [z, radius, weight] = facet_slope(facets, (i + 0.5) / steps);
         for (int j = 0; j < steps; ++j) {
             const double at_facet = radius * std::cos(pi * (j + 0.5) / steps) * sine + z * cosine, beyond = 2 * at_facet * z - cosine;
             if (at_facet <= 0 || beyond <= 0) continue;
-            const double both = beyond / (area * beyond + (visible_area(facets, std::min(beyond, 1.0)) - beyond) * cosine);
-            sum += weight * at_facet / z * both * of_facet(at_facet);
+            const double both = also_visible(cosine, area, beyond, visible_area(facets, std::min(beyond, 1.0)));
+            sum += weight / (steps * steps) * at_facet / z * both * of_facet(at_facet);
         }
     }
     return sum;

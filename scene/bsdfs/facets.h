@@ -22,6 +22,23 @@ Facets read_facets(const Parameters &parameters, float roughness);
 /// MATERIAL_... by which kernels know that they are needed: none of a smooth surface.
 uint flags_of(const Facets &facets);
 
+/// Area that the facets' visible sides have in a direction at this cosine, per area of the surface: cosine / G1 (Smith).
+double visible_area(const Facets &facets, double cosine);
+/// Of the facets that are visible in one direction, the part that is visible in the other too, which is on the same side of the surface or on the
+/// other one, over the `area` that is visible in the first; their heights are correlated. `other` is above 0.
+inline double also_visible(double cosine, double area, double other, double other_area) {
+    return other / (area * other + (other_area - other) * cosine);
+}
+
+/// A slope that facets have.
+struct FacetSlope {
+    double z, radius;  ///< of their normals
+    double weight;     ///< in integrals over w of what is asked of facets per area of the surface that is below them
+};
+/// That beyond which a part of the facets lies that goes with w from 0 to 1, at both ends so smoothly that it takes roots there away: D and the
+/// measure cancel.
+FacetSlope facet_slope(const Facets &facets, double w);
+
 /// Of light at an angle of this cosine.
 using Reflectance = std::function<double(double cosine)>;
 

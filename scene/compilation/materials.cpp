@@ -2,6 +2,7 @@
 
 #include "scene/bsdfs/bsdf.h"
 #include "scene/bsdfs/choosing.h"
+#include "scene/bsdfs/losses.h"
 #include "scene/compilation/parts.h"
 #include "scene/materials_in_use.h"
 
@@ -73,6 +74,7 @@ void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
         compiled.transmits |= (material.flags & MATERIAL_TRANSMITS) != 0;
         compiled.chooses |= chooses(material);
         compiled.ideal |= (material.flags & MATERIAL_IDEAL) != 0 || lets_light_pass(material);
+        compiled.losses |= (material.flags & MATERIAL_LOSES) != 0;
         compiled.facets |= material.flags / MATERIAL_FACETS & 3;
         compiled.highlights |= (material.flags & MATERIAL_HIGHLIGHT) != 0;
         compiled.bundle = std::max(compiled.bundle, bundle_size(material, sizes));
@@ -83,7 +85,7 @@ void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     add_textures(scene, used_materials, compiled, arena);
     add_passing_material(materials, used_materials);
     compiled.bsdfs = kinds_of_bsdfs(used_materials);
-    compiled.header.materials = arena.add(materials);
+    compiled.header.materials = arena.add(with_losses(materials, used), materials.size());
 }
 
 }  // namespace brandung

@@ -20,6 +20,7 @@
 #include "kernels/bsdfs/conductor.h"
 #include "kernels/bsdfs/dielectric.h"
 #include "kernels/bsdfs/diffuse.h"
+#include "kernels/bsdfs/loss_table.h"
 #include "kernels/bsdfs/null.h"
 #include "kernels/bsdfs/phong.h"
 #include "kernels/bsdfs/plastic.h"
@@ -146,7 +147,9 @@ const Layouts &host_layouts() {
         RECORD(Conductor, eta, k, specular, multiple, alpha, distribution, lost),
         RECORD(Plastic, diffuse, eta, internal, scale, alpha, distribution, nonlinear, coat),
         RECORD(ModifiedPhong, diffuse, specular, exponent),
-        RECORD(Dielectric, reflection, transmission, alpha, distribution),
+        RECORD(Dielectric, reflection, transmission, alpha, distribution, losses),
+        RECORD(LossRow, mean, at),
+        RECORD(LossTable, rows),
         RECORD(ThinDielectric, reflection, transmission),
         RECORD(Null, transmission),
         RECORD(Choice, members, by_side, amount),

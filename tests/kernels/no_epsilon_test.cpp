@@ -58,7 +58,6 @@ struct SmallNumber {
 const SmallNumber small_numbers[] = {
     {"kernels/accelerators/volumes.cl", "0x1p-60f", "stands for a rate of 0, as in lane_ray.cl"},
     {"kernels/accelerators/rows.cl", "0x1p-11f", "what rounding makes of t times the determinant: ray_doubt's comment"},
-    {"kernels/bsdfs/dielectric_loss.cl", "1e-6f", "the unit of the table's means"},
     {"kernels/bsdfs/microfacet.cl", "0x1p-126f", "the least normal number instead of 0: the comments beside it"},
     {"kernels/core/lane_ray.cl", "0x1p-20f", "pad: two roundings of the slabs' products and of the shifted origin; within_box's comment"},
     {"kernels/core/lane_ray.cl", "0x1p-60f", "stands for a direction's component of 0: the comment above it"},

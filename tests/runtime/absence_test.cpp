@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "kernels/bsdfs/loss_table.h"
 #include "runtime/accelerators/traversals.h"
 #include "runtime/opencl/embedded_kernels.h"
 #include "runtime/wavefront/specialization.h"
@@ -16,6 +17,7 @@
 #include "scene/bsdfs/choosing.h"
 #include "scene/filters/filter.h"
 #include "scene/kinds.h"
+#include "scene/parameters.h"
 #include "tests/support/primitives.h"
 #include "tests/support/probe.h"
 #include "tests/support/rendering.h"
@@ -92,6 +94,13 @@ void expect_absent(const Scene &scene, const std::vector<std::string> &words) {
 
 void expect_present(const Scene &scene, const std::string &file, const std::string &word) {
     EXPECT_NE(expanded(scene).at(file).find(word), std::string::npos) << word << " in " << file;
+}
+
+Material of_text(const std::string &text) {
+    const Document document = parse_document("material", text);
+    const Parameters parameters(document, "");
+    Scene scene;
+    return bsdf_kinds()[kind_number(bsdf_kinds(), parameters.text("type"))].read(parameters, scene);
 }
 
 /// What only code of one kind of primitive has, in small letters.
@@ -268,6 +277,19 @@ TEST(Absence, WhereNoMaterialChoosesAmongOthersNoneIsChosen) {
     ASSERT_EQ(add_material(mixed, mirror(0.5f)), other);
     expect_present(mixed, "kernels/stages/evaluate_surfaces.cl", "bsdfs/choosing.cl");
     EXPECT_TRUE(launched_by(mixed).contains("choose_materials"));
+}
+
+/// Rough metal and smooth glass have none.
+TEST(Absence, OnlyRoughGlassHasTablesOfLosses) {
+    Scene scene = spheres_only(of_text(R"({"type": "dielectric"})"));
+    scene.integrator.type = "path";
+    add_sphere(scene, add_material(scene, of_text(R"({"type": "conductor", "metal": "gold", "roughness": 0.3})")), {2, 0, 0}, 1);
+    const uint rough = add_material(scene, of_text(R"({"type": "dielectric", "roughness": 0.3})"));
+    expect_absent(scene, {"bsdfs/losses.cl", "losstable", "loss_table"});
+    EXPECT_LT(compile(scene).arena.size(), sizeof(LossTable));
+    add_sphere(scene, rough, {4, 0, 0}, 1);
+    expect_present(scene, "kernels/integrators/path.cl", "bsdfs/losses.cl");
+    EXPECT_GT(compile(scene).arena.size(), sizeof(LossTable));
 }
 
 TEST(Absence, HitsOfOneKind) {

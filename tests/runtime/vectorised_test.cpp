@@ -146,8 +146,9 @@ TEST(Vectorised, EveryMarkedLoopIs16WideWhereOneOfTwoRaysIsFollowed) {
 TEST(Vectorised, PathsAre16WideWithEveryKindOfMaterial) {
     std::string materials, objects;
     for (const brandung::BsdfKind &kind : brandung::bsdf_kinds()) {
-        const std::string type = kind.name, metal = type == "conductor" ? R"(, "metal": "gold", "roughness": 0.3)" : "";
-        materials += R"(, {"name": "of )" + type + R"(", "type": ")" + type + R"(")" + metal + "}";
+        const std::string type = kind.name, metal = type == "conductor" ? R"(, "metal": "gold")" : "";
+        const std::string rough = type == "conductor" || type == "dielectric" ? R"(, "roughness": 0.3)" : "";
+        materials += R"(, {"name": "of )" + type + R"(", "type": ")" + type + R"(")" + metal + rough + "}";
         objects += R"(, {"type": "sphere", "material": "of )" + type + R"(", "center": [0, 2, 0], "radius": 0.1})";
     }
     for (const std::string integrator : {"path", "distributed"}) {

@@ -2,12 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstring>
 #include <span>
 #include <utility>
 
 #include "kernels/accelerators/wide_bvh.h"
+#include "kernels/bsdfs/dielectric.h"
 #include "scene/bsdfs/bsdf.h"
+#include "scene/bsdfs/losses.h"
+#include "scene/bsdfs/make.h"
 #include "scene/lights/light.h"
 #include "tests/support/scenes.h"
 
@@ -62,6 +66,29 @@ TEST(Compile, ForAllKindsNothingDependsOnWhatTheSceneHas) {
                 compiled.shading_normals && compiled.tints);
     EXPECT_EQ(compiled.interior_size, max_interior_size);
     EXPECT_EQ(compiled.instance_count, 0u);
+    EXPECT_TRUE(compiled.losses);
+    EXPECT_GE(compiled.arena.size(), std::size_t{64} * compiled.header.materials.offset + sizeof(LossTable)) << "kernels read what is not there";
+}
+
+/// Of those in use.
+TEST(Compile, RoughDielectricsFindTheirTableBehindTheMaterials) {
+    Scene scene = glass_spheres(1);
+    EXPECT_FALSE(compile(scene).losses);
+    Dielectric view{};
+    view.reflection = view.transmission = Spectrum(1), view.alpha = 0.3f, view.distribution = 1;
+    const uint rough = add_material(scene, material_of_kind("dielectric", MATERIAL_TRANSMITS | MATERIAL_LOSES, view));
+    EXPECT_FALSE(compile(scene).losses) << "nothing is made of it";
+    add_sphere(scene, rough, vec3(0), 9);
+    scene.integrator.type = "path";
+    const CompiledScene compiled = compile(scene);
+    EXPECT_TRUE(compiled.losses);
+    const std::byte *material = compiled.arena.data() + std::size_t{64} * compiled.header.materials.offset + rough * sizeof(Material);
+    Material record;
+    std::memcpy(&record, material, sizeof record);
+    const std::byte *table = material + offsetof(Material, words) + view_of<Dielectric>(record.words).losses * sizeof(uint);
+    ASSERT_LE(table + sizeof(LossTable), compiled.arena.data() + compiled.arena.size());
+    const LossTable expected = loss_table_of({0.3f, 1});
+    EXPECT_EQ(std::memcmp(table, &expected, sizeof expected), 0);
 }
 
 /// Of two shapes in a group one shines by itself, and both where an instance's material replaces theirs by one that does.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/kernels/bsdfs/direction_cells.h"
+#include "tests/kernels/bsdfs/numbers.h"
 #include "tests/kernels/bsdfs/probed_bsdf.h"
 #include "tests/support/scenes.h"
 #include "tests/support/statistics/chi_square.h"
@@ -11,7 +12,6 @@ namespace brandung {
 namespace {
 
 constexpr std::size_t samples = 1 << 17;
-constexpr float below_one = 0x1.fffffep-1f;
 
 class Bsdf : public testing::TestWithParam<TestedMaterial> {
 protected:
@@ -21,14 +21,6 @@ protected:
 vec3 at_angle(double degrees) {
     const double angle = degrees * M_PI / 180, azimuth = 0.6;
     return vec3(std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), std::cos(angle));
-}
-
-std::vector<vec3> random_numbers(std::size_t count) {
-    Random random(7);
-    std::vector<vec3> numbers(count);
-    for (vec3 &x : numbers)
-        for (int c = 0; c < 3; ++c) x[c] = std::min(random.uniform(0, 1), below_one);
-    return numbers;
 }
 
 /// Of each cell, and beyond its last element the part of the samples that none has: what lobes of a single direction have, and what is lost.
@@ -109,13 +101,9 @@ TEST_P(Bsdf, IsTheSameWithTheDirectionsExchanged) {
             ASSERT_NEAR(double(there[i].value[c]) / directions[i].z, double(back[i].value[c]) / wo.z, rounding * there[i].value[c] / directions[i].z);
 }
 
-/// The mean weight of samples, without the factor of radiance beyond an interface, by numbers spread evenly (an additive recurrence by powers of the
-/// root of x⁴ = x + 1; Roberts 2018).
+/// The mean weight of samples, without the factor of radiance beyond an interface, by numbers spread evenly.
 TEST_P(Bsdf, ReflectsNoMoreThanArrives) {
-    constexpr double root = 1.2207440846057596;
-    std::vector<vec3> numbers(samples);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        for (int c = 0; c < 3; ++c) numbers[i][c] = std::min(float(std::fmod(0.5 + double(i + 1) / std::pow(root, c + 1), 1)), below_one);
+    const std::vector<vec3> numbers = even_numbers(samples);
     for (const double angle : {0.0, 30.0, 60.0, 75.0, 85.0}) {
         glm::dvec3 albedo(0);
         for (const BsdfSample &sample : bsdf.sample({at_angle(angle)}, numbers)) {

@@ -1,11 +1,16 @@
 /// A material whose functions on the device can be called from tests.
 #pragma once
 #include <string>
+#include <vector>
+
 #include "kernels/bsdfs/bsdf.h"
 #include "kernels/core/scene.h"
 #include "tests/kernels/bsdfs/materials.h"
 
 namespace brandung {
+
+/// The material as kernels read it: records of the size of its own follow, which hold the table of losses, or one of zeros if it has none.
+std::vector<Material> with_loss_table(const Material &material);
 
 class ProbedBsdf {
 public:
@@ -17,7 +22,7 @@ public:
     std::vector<BsdfSample> sample(const std::vector<vec3> &wo, const std::vector<vec3> &numbers) const;
 
 private:
-    Material material_;
+    std::vector<Material> material_;
     std::string kind_;
     float eta_, diffuse_tint_, specular_tint_;
 };

@@ -39,7 +39,9 @@ template <class View> View view_of(const Material &material) {
 }
 
 /// But for those of bundles and facets.
-uint flags_of(const std::string &text) { return read(text).flags & ~(MATERIAL_DIFFUSE | MATERIAL_GLOSSY | MATERIAL_PASSES | 3 * MATERIAL_FACETS); }
+uint flags_of(const std::string &text) {
+    return read(text).flags & ~(MATERIAL_DIFFUSE | MATERIAL_GLOSSY | MATERIAL_PASSES | 3 * MATERIAL_FACETS | MATERIAL_LOSES);
+}
 
 bool is_ideal(const std::string &text) { return (flags_of(text) & MATERIAL_IDEAL) != 0; }
 
@@ -91,6 +93,8 @@ TEST(Bsdfs, GlassHasAnInside) {
     EXPECT_EQ(flags_of(R"({"type": "dielectric", "transmission": 0})"), MATERIAL_IDEAL);
     EXPECT_EQ(flags_of(R"({"type": "thin_dielectric"})"), MATERIAL_IDEAL);
     EXPECT_EQ(flags_of(R"({"type": "null"})"), MATERIAL_IDEAL);
+    EXPECT_NE(read(R"({"type": "dielectric", "roughness": 0.2, "reflection": 0, "transmission": 0})").flags & MATERIAL_LOSES, 0u) << "kernels ask";
+    EXPECT_EQ(read(R"({"type": "dielectric"})").flags & MATERIAL_LOSES, 0u);
     const Material water = read(R"({"type": "dielectric", "eta": 1.33, "priority": 3})");
     EXPECT_EQ(water.eta, 1.33f);
     EXPECT_EQ(water.priority, 3u);

@@ -1,0 +1,3 @@
+// With everything, for lint and editors.
+#pragma once
+#include "kernels/bsdfs/losses.cl"
