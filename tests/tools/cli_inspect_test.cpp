@@ -62,7 +62,7 @@ TEST(CliInspect, JsonHasTheseFields) {
     const TemporaryFolder folder;
     const json inspection = inspected(folder, {"8,6", "--json"});
     EXPECT_EQ(names(inspection),
-              (Names{"height", "integrator", "max_depth", "pixel", "samples", "scene", "seed", "spp", "threshold", "width", "x", "y"}));
+              (Names{"height", "integrator", "max_depth", "pixel", "samples", "scene", "seed", "splat", "spp", "threshold", "width", "x", "y"}));
     EXPECT_EQ(names(inspection["pixel"]), (Names{"fixed_point", "radiance", "samples"}));
     ASSERT_EQ(inspection["samples"].size(), 1u);
     const json &sample = inspection["samples"][0], &ray = sample["ray"], &light = ray["lights"][0], &child = ray["children"][0];
