@@ -8,7 +8,7 @@
 
 #define SPLATS_AT_ONCE 16u  ///< samples whose weights are computed together
 
-/// Those samples of a pixel, from `first` on, that count in the other: their numbers in the batch. `weights` are of all from `first` on.
+/// Those of a pixel's samples first ... first + count that count in the other: their numbers from `first` on. `weights` are of all of these.
 FUNCTION uint list_splats(uint first, uint count, Splat splat, const global float *filter_values, const global vec2 *places, uint *weights,
                           uint *list) {
     SIXTEEN_WIDE for (uint k = 0u; k < SPLATS_AT_ONCE; ++k) {
@@ -43,7 +43,7 @@ kernel void add_splats(BatchParams batch, FilmBand band, Splat splat, const glob
         if (!leads_into_band(pixels[i], splat.x, splat.y, band)) continue;
         const uint place = place_led_to(pixels[i], splat.x, splat.y, band);
         for (uint j = 0u; j < batch.samples; j += SPLATS_AT_ONCE) {
-            uint of_each[SPLATS_AT_ONCE], list[SPLATS_AT_ONCE + 1u];
+            uint of_each[SPLATS_AT_ONCE], list[SPLATS_AT_ONCE];
             const uint first = i * batch.samples + j, count = min(batch.samples - j, SPLATS_AT_ONCE);
             const uint listed = list_splats(first, count, splat, filter_values, places, of_each, list);
             for (uint k = 0u; k < listed; ++k) {

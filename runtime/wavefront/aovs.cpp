@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "kernels/filters/splat.h"
+
 namespace brandung {
 namespace {
 
@@ -30,7 +32,7 @@ float scale_of_lengths(float extent, const CameraDescription &camera, PictureSiz
 }
 
 constexpr float scale_of_units = 0x1p32f;
-constexpr double weight_unit = 0x1p-30;
+constexpr double weight_unit = 1.0 / SPLAT_UNIT;
 
 float scale_of(const AovKind &kind, float extent, const CameraDescription &camera, PictureSize size) {
     return kind.what == AovKind::length ? scale_of_lengths(extent, camera, size) : scale_of_units;

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "kernels/filters/splat.h"
+
 namespace brandung {
 namespace {
 
 constexpr double unit = 0x1p-32;  ///< of sums; their squares' is its square
-constexpr long double weight_unit = 0x1p-30L;
+constexpr long double weight_unit = 1.0L / SPLAT_UNIT;
 
 long double value_of(Integer128 x) { return static_cast<long double>(static_cast<std::int64_t>(x.high)) * 0x1p64L + x.low; }
 

@@ -32,8 +32,8 @@ int splat_reach(const FilmSettings &film);
 Window sampled_window(const FilmSettings &film);
 /// f / f(0) from the centre to the radius, FILTER_INTERVALS + 1 values.
 std::vector<float> filter_values(const FilterKind &kind);
-/// To how many pixels' errors that are independent those of one pixel and all others amount, squared: the sum over all others, and itself, of their
-/// errors' correlations squared; 1 where samples count in one pixel.
+/// By how many times the degrees of freedom of a picture's error are fewer because pixels share samples: the sum of the squares of one pixel's
+/// correlations with all, itself among them; 1 where each sample counts in one pixel.
 double correlated_pixels(const FilmSettings &film);
 
 }  // namespace brandung

@@ -1,9 +1,7 @@
-/// What a scene doesn't use is neither compiled, nor launched, nor allocated; and what lint sees is what scenes can use.
+/// What a scene doesn't use is neither compiled, nor launched, nor allocated.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
 #include <utility>
@@ -18,6 +16,7 @@
 #include "scene/filters/filter.h"
 #include "scene/kinds.h"
 #include "scene/parameters.h"
+#include "tests/runtime/scenes_in_use.h"
 #include "tests/support/primitives.h"
 #include "tests/support/probe.h"
 #include "tests/support/rendering.h"
@@ -25,43 +24,6 @@
 
 namespace brandung {
 namespace {
-
-Scene scene_with(const Material &material) {
-    Scene scene;
-    scene.cameras.push_back({.name = "camera", .from = {0, 0, 5}, .at = {0, 0, 0}});
-    scene.film.width = scene.film.height = 8;
-    add_material(scene, material);
-    return scene;
-}
-
-Scene spheres_only(const Material &material) {
-    Scene scene = scene_with(material);
-    add_sphere(scene, 0, {0, 0, 0}, 1);
-    scene.lights.push_back(point_light({3, 3, 3}, Spectrum(10)));
-    return scene;
-}
-
-Scene triangles_only(const Material &material) {
-    Scene scene = scene_with(material);
-    add_triangle(scene, 0, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0});
-    scene.lights.push_back(directional_light({0, 0, 1}, Spectrum(1)));
-    return scene;
-}
-
-Scene everything() {
-    Scene scene = spheres_only(glass(1.5f));
-    scene.integrator.filtered_shadows = true;
-    add_soup(scene, 0, {.of_each = 1});
-    scene.lights.push_back(directional_light({0, 0, 1}, Spectrum(1)));
-    scene.lights.push_back(spot_light({0, 0, 3}, {0, 0, 0}, Spectrum(1), 40, 0.2));
-    Material lamp = matte(0.5f);
-    lamp.emission = Spectrum(1);
-    add_soup(scene, add_material(scene, lamp), {.of_each = 1});
-    scene.film.filter = kind_number(filter_kinds(), "gaussian");
-    scene.textures.push_back({"", {}, {1, 1, {Spectrum(1)}, {}}});
-    scene.background_texture = 1;
-    return scene;
-}
 
 /// The expanded text of every kernel file that renders, without comments.
 std::map<std::string, std::string> expanded(const Scene &scene, RayLanes lanes = RayLanes::eight) {
@@ -329,52 +291,6 @@ TEST(Absence, AProgramIsTheSameForScenesThatDifferInNumbersOnly) {
     other.lights.push_back(point_light({-3, 3, 3}, Spectrum(1)));
     other.integrator.max_depth = 17;
     EXPECT_EQ(expanded(spheres_only(matte(0.5f))), expanded(other));
-}
-
-/// The lines of a generated file that hold a list, sorted by content: kinds are numbered by their scene.
-std::set<std::string> listed_names(const std::string &text) {
-    std::set<std::string> names;
-    static const std::regex entry(R"(X\(\d+, (\w+), (\w+)\))"), include(R"re(#include "([^"]+)")re");
-    for (auto match = std::sregex_iterator(text.begin(), text.end(), entry); match != std::sregex_iterator(); ++match)
-        names.insert((*match)[1].str() + " " + (*match)[2].str());
-    for (auto match = std::sregex_iterator(text.begin(), text.end(), include); match != std::sregex_iterator(); ++match) names.insert((*match)[1]);
-    return names;
-}
-
-std::string stub_of(const std::filesystem::path &path) {
-    std::ifstream in(path);
-    EXPECT_TRUE(in) << path << " is not there for lint";
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-TEST(Lint, ItsListsNameEveryKindAndFileThatSpecialisationCanMake) {
-    const std::filesystem::path stubs = BRANDUNG_SOURCE_DIR "/tests/kernels/all_kinds", of_one_lane = BRANDUNG_SOURCE_DIR "/tests/kernels/one_lane";
-    Scene scene = everything();
-    auto world = std::exchange(scene.shapes, {});
-    add_soup(scene, 0, {.of_each = 1});
-    add_group(scene, "group", std::exchange(scene.shapes, std::move(world)));
-    ASSERT_FALSE(add_instance(scene, 0, AffineMap(), add_material(scene, emitter(Spectrum(1)))));
-    const CompiledScene compiled = compile(scene, {.kinds = Kinds::all});
-    const Sources lists = specialize(compiled, RayLanes::eight);
-    for (const auto &[path, text] : specialize(compiled, RayLanes::one)) {
-        if (text == lists.at(path)) continue;
-        EXPECT_EQ(listed_names(stub_of(of_one_lane / path)), listed_names(text)) << path;
-    }
-    for (const auto &[path, text] : lists) {
-        const std::string stub = stub_of(stubs / path);
-        EXPECT_EQ(listed_names(stub), listed_names(text)) << path;
-        std::istringstream lines(text);
-        for (std::string line; std::getline(lines, line);)
-            if (line.starts_with("#define ")) {
-                const std::string name = line.substr(0, line.find_first_of(" (", 8));
-                EXPECT_NE(stub.find(name), std::string::npos) << path << ": " << name;
-            }
-    }
-    const std::set<std::string> of_others = {"generated/camera.cl", "generated/kind.cl", "generated/precision.cl"};  // not of the scene
-    for (const auto &file : std::filesystem::recursive_directory_iterator(stubs)) {
-        const std::string name = std::filesystem::relative(file.path(), stubs).string();
-        EXPECT_TRUE(!file.is_regular_file() || lists.contains(name) || of_others.contains(name)) << name << " stands for nothing";
-    }
 }
 
 }  // namespace
