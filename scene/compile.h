@@ -49,6 +49,7 @@ struct CompiledScene {
     uint interior_size = 0;                    ///< entries of a ray's list of media: at least the number of `media` up to max_interior_size
     uint media = 0;                            ///< transparent materials of things, and those that an eye is in, if there are things to refract
     std::size_t primitive_count = 0;           ///< those of a group count once
+    bool blocks_at_root = false;               ///< of the world, as BuiltAccelerator has it
     std::size_t texture_count = 0;             ///< pictures on surfaces
     std::size_t group_count = 0, instance_count = 0;
     std::vector<std::size_t> counts;                    ///< of primitives, by kind in use

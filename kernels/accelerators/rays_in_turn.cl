@@ -48,6 +48,16 @@ FUNCTION void prepare_list(const global Ray *rays, const global uint *live, uint
     }
 }
 
+/// Those of `count` numbers, in scenes without instances.
+FUNCTION void prepare_numbers(const global Ray *rays, const uint *numbers, uint count, float extent, PreparedRays *prepared) {
+    for (uint i = 0u; i < count; i += ROW) {
+        uint numbers_here[ROW];
+        for (uint j = 0u; j < ROW; ++j) numbers_here[j] = numbers[min(i + j, count - 1u)];
+        const Row row = row_of(rays, numbers_here, min(count - i, ROW), 0, 0u);
+        *prepared++ = prepare_each(&row, extent);
+    }
+}
+
 /// The ray of a lane, as prepare() gives it, that ends at t_max.
 FUNCTION ray_x8 widened(const PreparedRays *prepared, uint lane, float t_max) {
     const ray_x16 *rays = &prepared->rays;

@@ -17,9 +17,12 @@ FUNCTION uint crowded_lanes(RowHits closest) {
     return mask_bits((closest.primitive != (uint16)(NO_HIT)) & (closest.next <= closest.t + closest.margin));
 }
 
-/// Of the row's first `count` rays.
-FUNCTION void count_rays(const Row *rays, uint count, const RowHits *closest, Tally *tally) {
-    const uint here = (1u << count) - 1u, hits = mask_bits(closest->primitive != (uint16)(NO_HIT));
+/// Bits of a row's first rays.
+FUNCTION uint first_lanes(uint count) { return (1u << count) - 1u; }
+
+/// Of the rays whose bits are set.
+FUNCTION void count_rays(const Row *rays, uint here, const RowHits *closest, Tally *tally) {
+    const uint hits = mask_bits(closest->primitive != (uint16)(NO_HIT));
     for (uint kind = 0u; kind < RAY_KINDS; ++kind) {
         const uint of_kind = here & mask_bits((rays->tag & 3) == (int16)((int)kind));
         tally->rays[kind] += popcount(of_kind);

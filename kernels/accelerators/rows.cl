@@ -37,20 +37,26 @@ FUNCTION TracedRow traced_row(const Row *row, uint axis, float extent) {
     uint bits = 0u;                                                                                      \
     for (uint j = 0u; j < size; ++j) bits |= (uint)(mask_bits(name##_may_meet(block, j, (row)->rays, (row)->doubt)) != 0u) << j
 
-/// MEET(name, block, j) for each primitive j of a block that a ray of the row may cross.
-#define MEET_ALL(KIND, Record, name, MEET)                                                          \
-    for (uint n = 0u; n < world->blocks[KIND].count; ++n) {                                         \
-        const global Record##Block *block = RECORDS(scene, Record##Block, world->blocks[KIND]) + n; \
-        CANDIDATES_OF_ROW(name, block, row, bits);                                                  \
-        for (; bits != 0u; bits &= bits - 1u) MEET(name, block, lowest_bit(bits));                  \
+/// MEET(name, block, j) for each primitive j of block n of its kind that a ray of the row may cross.
+#define MEET_BLOCK(KIND, Record, name, n, MEET)                                                       \
+    {                                                                                                 \
+        const global Record##Block *block = RECORDS(scene, Record##Block, world->blocks[KIND]) + (n); \
+        CANDIDATES_OF_ROW(name, block, row, bits);                                                    \
+        for (; bits != 0u; bits &= bits - 1u) MEET(name, block, lowest_bit(bits));                    \
     }
+/// And of all blocks.
+#define MEET_ALL(KIND, Record, name, MEET) \
+    for (uint n = 0u; n < world->blocks[KIND].count; ++n) MEET_BLOCK(KIND, Record, name, n, MEET)
+
+/// The lanes take what they meet there.
+#define TAKE_CROSSING(name, block, j) take_crossing(name##_crossing(block, j, row->rays), (block)->primitive[j], 0u, &row->rays, hits)
+/// Those that meet it have t_max -1.
+#define END_CROSSING(name, block, j) row->rays.t_max = name##_crossing(block, j, row->rays).hit ? (float16)(-1.0f) : row->rays.t_max
 
 FUNCTION void row_closest_hits(Scene scene, TracedRow *row, RowHits *hits) {
     const global Group *world = &scene.header->world;
-#define TAKE(name, block, j) take_crossing(name##_crossing(block, j, row->rays), (block)->primitive[j], 0u, &row->rays, hits)
-#define TAKE_ALL(KIND, Record, name) MEET_ALL(KIND, Record, name, TAKE)
+#define TAKE_ALL(KIND, Record, name) MEET_ALL(KIND, Record, name, TAKE_CROSSING)
     FOR_EACH_PRIMITIVE(TAKE_ALL)
-#undef TAKE
 #undef TAKE_ALL
 }
 
@@ -58,10 +64,8 @@ FUNCTION void row_closest_hits(Scene scene, TracedRow *row, RowHits *hits) {
 FUNCTION uint row_occluded(Scene scene, TracedRow *row) {
     const global Group *world = &scene.header->world;
     const uint alive = mask_bits(row->rays.t_max >= 0.0f);
-#define END(name, block, j) row->rays.t_max = name##_crossing(block, j, row->rays).hit ? (float16)(-1.0f) : row->rays.t_max
-#define END_ALL(KIND, Record, name) MEET_ALL(KIND, Record, name, END)
+#define END_ALL(KIND, Record, name) MEET_ALL(KIND, Record, name, END_CROSSING)
     FOR_EACH_PRIMITIVE(END_ALL)
-#undef END
 #undef END_ALL
     return alive & mask_bits(row->rays.t_max < 0.0f);
 }

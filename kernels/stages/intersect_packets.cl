@@ -37,7 +37,7 @@ kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
             store_hits(hits + start, rays_here, closest.rows[r]);
             if (INSTANCES) store_instances(instances, start, rays_here, &packet.rows[r], closest.rows[r]);
             if (INTERIOR_SIZE > 0u) store_crowded(crowded + start, rays_here, closest.rows[r]);
-            count_rays(&packet.rows[r], rays_here, &closest.rows[r], &tally);
+            count_rays(&packet.rows[r], first_lanes(rays_here), &closest.rows[r], &tally);
         }
     }
     tallies[get_global_id(0)] = tally;

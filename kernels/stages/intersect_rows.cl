@@ -24,7 +24,7 @@ kernel void intersect_rows(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict
             vstore4(hit[j], i, (global float *)hits);
             if (INTERIOR_SIZE > 0u) crowded[i] = crowd >> j & 1u;
         }
-        count_rays(&row, rays_here, &closest, &tally);
+        count_rays(&row, first_lanes(rays_here), &closest, &tally);
     }
     tallies[get_global_id(0)] = tally;
 }

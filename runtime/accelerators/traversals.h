@@ -13,14 +13,17 @@ namespace brandung {
 struct Traversal {
     /// Of devices: on which it pays. CPUs can run the others too.
     enum class PaysOn { all, cpus, others };
+    /// Of rays: those that stay together; any in scenes with few primitives, all of which it goes through; any in scenes with primitives at the root
+    /// of their hierarchy.
+    enum class PaysFor { all_rays, coherent_rays, few_primitives, blocks_at_root };
     const char *name;
     const char *closest_hit;         ///< has the parameters of kernels/stages/intersect.cl
     const char *any_hit;             ///< and of kernels/stages/trace_shadow_rays_singly.cl
     RayLanes lanes;                  ///< for which they are compiled
     bool AcceleratorKind::*support;  ///< what the accelerator must have; null: all have it
     PaysOn pays_on;
-    bool for_coherent;  ///< pays for rays that stay together only
-    bool for_few;       ///< goes through all primitives: pays where these are few, and knows no instances
+    PaysFor pays_for;
+    bool instances;  ///< knows them
 };
 /// THE list of traversals: of those that there are and that pay, a render takes the first.
 const std::vector<Traversal> &traversals();

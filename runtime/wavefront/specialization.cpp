@@ -39,6 +39,7 @@ void add_accelerator(const CompiledScene &scene, RayLanes lanes, Sources &source
     sources["generated/work.cl"] = include("accelerators/no_work.cl");
     if (scene.accelerator->interleaved) {
         sources["generated/interleaved_accelerator.cl"] = include(fmt::format("accelerators/{}_interleaved.cl", scene.accelerator->file));
+        sources["generated/interleaved_root.cl"] = include(fmt::format("accelerators/{}_root.cl", scene.accelerator->file));
         sources["generated/interleaved_levels.cl"] = include(fmt::format("accelerators/interleaved_{}.cl", levels));
     }
     if (!scene.accelerator->packets) return;

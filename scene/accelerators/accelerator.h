@@ -30,14 +30,15 @@ struct BuiltAccelerator {
     std::array<std::vector<PrimitiveBlock>, MAX_PRIMITIVE_KINDS> blocks;  ///< by kind; every reference is in exactly one
     std::vector<std::byte> nodes;
     uint node_count = 0;
+    bool blocks_at_root = false;  ///< whether there are blocks among the children of a hierarchy's root
 };
 
 /// The hull of a reference, for those who look closer than boxes.
 using Hulls = std::function<Hull(uint reference)>;
 
 /// `kernels/accelerators/<file>.cl` traverses what `build` makes; with `packets`, <file>_packets.cl does so with packets of rays, with `interleaved`,
-/// <file>_interleaved.cl with rays in turn, with `scalar`, <file>_scalar.cl with rays of one lane. With `rows`, few primitives are gone through
-/// block by block. Without `qualities` all are built alike.
+/// <file>_interleaved.cl with rays in turn and <file>_root.cl with rows of rays at its root, with `scalar`, <file>_scalar.cl with rays of one lane.
+/// With `rows`, few primitives are gone through block by block. Without `qualities` all are built alike.
 struct AcceleratorKind {
     const char *name, *file;
     bool packets, interleaved, scalar, rows, qualities;

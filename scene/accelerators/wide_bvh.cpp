@@ -155,7 +155,8 @@ public:
 
     BuiltAccelerator join() {
         add(0);
-        BuiltAccelerator built{.blocks = {}, .nodes = std::vector<std::byte>(node_count_ * sizeof(BvhNode)), .node_count = node_count_};
+        BuiltAccelerator built;
+        built.nodes.resize(node_count_ * sizeof(BvhNode)), built.node_count = node_count_;
         for (uint kind = 0; kind < MAX_PRIMITIVE_KINDS; ++kind) {
             if (block_counts_[kind] > BVH_BLOCK)  // the word of one more would be BVH_EMPTY in the last kind
                 throw SceneError(fmt::format("wide_bvh: cannot hold more than {} blocks of {} primitives of one kind", BVH_BLOCK, BLOCK_SIZE));
@@ -164,6 +165,7 @@ public:
         BvhNode *nodes = reinterpret_cast<BvhNode *>(built.nodes.data());
         for (const auto &[place, node] : top_) nodes[place] = node;
         tbb::parallel_for(size_t(0), pieces_.size(), [&](size_t i) { put(pieces_[i], firsts_[i], nodes, built); });
+        built.blocks_at_root = std::ranges::any_of(nodes[0].child, [](uint word) { return word >= BVH_LEAF && word != BVH_EMPTY; });
         return built;
     }
 
@@ -229,7 +231,9 @@ private:
 BuiltAccelerator build_empty() {
     const BvhNode root = empty_node();
     const auto bytes = std::as_bytes(std::span(&root, 1));
-    return {.blocks = {}, .nodes = {bytes.begin(), bytes.end()}, .node_count = 1};
+    BuiltAccelerator built;
+    built.nodes.assign(bytes.begin(), bytes.end()), built.node_count = 1;
+    return built;
 }
 
 Bvh2 build_binary(std::span<const Reference> references, BuildQuality quality, uint slack, BuildProgress &progress) {

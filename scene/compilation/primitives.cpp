@@ -132,6 +132,7 @@ Group add_space(const Scene &scene, const Space &space, bool is_world, const Wat
         return i < space.primitives.size() ? space.primitives[i].shape->hull(space.primitives[i].i) : hull_of_box(references[i].bounds);
     };
     const BuiltAccelerator built = kind.build(references, hulls, scene.accelerator_quality, progress);
+    if (is_world) compiled.blocks_at_root = built.blocks_at_root;
 
     Group group{};
     group.extent = extent_of(references);

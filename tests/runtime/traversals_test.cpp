@@ -39,6 +39,16 @@ TEST(Traversals, ACpuGoesThroughFewPrimitivesInRows) {
     EXPECT_EQ(std::string(traversal_of_render(false, cpu, scene_of("wide_bvh", 48, true)).name), "interleaved");
 }
 
+TEST(Traversals, ACpuMeetsPrimitivesAtTheRootInRows) {
+    CompiledScene scene = scene_of("wide_bvh", 100);
+    scene.blocks_at_root = true;
+    EXPECT_EQ(std::string(traversal_of_render(false, cpu, scene).name), "root_rows");
+    EXPECT_EQ(std::string(traversal_of_render(true, cpu, scene).name), "packets");
+    EXPECT_EQ(std::string(traversal_of_render(false, gpu, scene).name), "scalar");
+    scene.instances = true;
+    EXPECT_EQ(std::string(traversal_of_render(false, cpu, scene).name), "interleaved");
+}
+
 TEST(Traversals, OtherDevicesTakeTheScalarOneWhereThereIsOne) {
     for (const bool coherent : {false, true}) {
         EXPECT_EQ(chosen(coherent, gpu, "wide_bvh"), "scalar");
@@ -54,8 +64,8 @@ TEST(Traversals, ACpuCanTryAllThatAnAcceleratorHasAndOtherDevicesThoseThatPayThe
             if (is_available(traversal, device, scene_of(accelerator, primitives))) names += std::string(traversal.name) + " ";
         return names;
     };
-    EXPECT_EQ(available(cpu, "wide_bvh"), "packets rows interleaved scalar single ");
-    EXPECT_EQ(available(cpu, "wide_bvh", 5000), "packets interleaved scalar single ");
+    EXPECT_EQ(available(cpu, "wide_bvh"), "packets rows root_rows interleaved scalar single ");
+    EXPECT_EQ(available(cpu, "wide_bvh", 5000), "packets root_rows interleaved scalar single ");
     EXPECT_EQ(available(cpu, "none"), "packets rows single ");
     EXPECT_EQ(available(cpu, "kd_tree"), "single ");
     EXPECT_EQ(available(gpu, "wide_bvh"), "scalar single ");

@@ -1,5 +1,6 @@
 #include "tests/support/traced_scene.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -13,13 +14,19 @@ CompiledScene compile_with(Scene &scene, const std::string &accelerator) {
     return compile(scene);
 }
 
-/// A live list with `unused` entries in front of those that count, so that `first` matters.
+/// A live list with `unused` entries in front of those that count, so that `first` matters; these are rays from the last to the first, so that a
+/// ray's place in the list is not its number.
 constexpr uint unused = 3;
 
 std::vector<uint> live_list(std::size_t count) {
     std::vector<uint> live(unused + count, 0);
-    std::iota(live.begin() + unused, live.end(), 0u);
+    std::iota(live.rbegin(), live.rend() - unused, 0u);
     return live;
+}
+
+template <class T> std::vector<T> reversed(std::vector<T> values) {
+    std::ranges::reverse(values);
+    return values;
 }
 
 /// As many as there are rays.
@@ -48,16 +55,17 @@ TracedScene::TracedScene(CompiledScene compiled) : compiled_(std::move(compiled)
 std::vector<Hit> TracedScene::closest_hits(const Traversal &traversal, const std::vector<Ray> &rays) {
     Device &device = test_device();
     Kernel kernel = traversal_kernel(device, traversal, &Traversal::closest_hit, compiled_);
-    const Buffer<Ray> ray_buffer(device, rays);
+    const Buffer<Ray> ray_buffer(device, reversed(rays));
     const Buffer<uint> live(device, live_list(rays.size()));
     const Buffer<Hit> hits(device, rays.size());
-    const Buffer<uint> sources(device, resized(sources_, rays.size()));
+    const Buffer<uint> sources(device, reversed(resized(sources_, rays.size())));
     const Buffer<uint> instances(device, std::vector<uint>(rays.size(), 0));
     const Buffer<std::uint8_t> crowded(device, rays.size());
     const Buffer<Tally> tallies(device, kernel.work_items(rays.size()));
     kernel(rays.size(), on_device_, live, unused, static_cast<uint>(rays.size()), ray_buffer, sources, hits, instances, crowded, tallies);
     tally_ = sum_of(tallies);
     instances_ = instances.read();
+    if (compiled_.interior_size > 0) crowded_ = crowded.read();
     return hits.read();
 }
 

@@ -35,6 +35,9 @@ public:
     /// Those of the last closest hits; 0 in scenes without instances.
     const std::vector<uint> &instances() const { return instances_; }
 
+    /// In scenes with media: which of the last closest hits have others at nearly the same place.
+    const std::vector<std::uint8_t> &crowded() const { return crowded_; }
+
     /// Those that there are, the last of which every accelerator has.
     std::vector<Traversal> traversals() const;
 
@@ -48,6 +51,7 @@ private:
     DeviceScene on_device_;
     Tally tally_{};
     std::vector<uint> sources_ = {0}, instances_;
+    std::vector<std::uint8_t> crowded_;
 };
 
 }  // namespace brandung
