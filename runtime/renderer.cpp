@@ -171,7 +171,7 @@ void Renderer::render_batch(Film &film, const std::vector<uint> &pixels, uint fi
     const Batch batch = batch_of(pixels, first, samples, aovs);
     integrator_->render(batch, samples_, observer);
     filter_.weigh(batch, samples_);
-    filter_.place(batch);
+    filter_.weigh_splats(batch);
     film.add(batch, samples_, filter_.splats());
     if (aovs) aovs->add(batch, filter_);
     device_.finish();

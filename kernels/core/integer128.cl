@@ -16,6 +16,18 @@ FUNCTION void add_atomically(global Integer128 *sum, int64 value) {
     if (high != 0ul) atom_add(&sum->high, high);
 }
 
+/// Exact. On a processor one multiplication; mul_hi of PoCL takes four of halves.
+FUNCTION Integer128 product(int64 a, int64 b) {
+    Integer128 result;
+#ifdef __SIZEOF_INT128__
+    const __int128 wide = (__int128)a * b;
+    result.low = (uint64)wide, result.high = (uint64)(wide >> 64);
+#else
+    result.low = (uint64)a * (uint64)b, result.high = (uint64)mul_hi(a, b);
+#endif
+    return result;
+}
+
 /// The nearest number in [-limit, limit].
 FUNCTION int64 nearest_within(int64 limit, Integer128 x) {
     const int64 low = (int64)x.low, high = (int64)x.high;

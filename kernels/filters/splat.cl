@@ -11,9 +11,5 @@ FUNCTION float filter_value(float distance, float intervals, const global float 
     return fma(x - (float)i, values[i + 1] - values[i], values[i]);
 }
 
-/// Of a sample at `place` in its pixel, in [0, 1)², in the pixel that the splat leads to; in units of 1 / SPLAT_UNIT.
-FUNCTION uint splat_weight(vec2 place, Splat splat, const global float *values) {
-    const float x = filter_value(place.x - 0.5f - (float)splat.x, splat.intervals, values);
-    const float y = filter_value(place.y - 0.5f - (float)splat.y, splat.intervals, values);
-    return (uint)rint(x * y * (float)(int)SPLAT_UNIT);
-}
+/// Of a sample, by what it weighs in columns and in rows; in units of 1 / SPLAT_UNIT.
+FUNCTION uint splat_weight(float in_column, float in_row) { return (uint)rint(in_column * in_row * (float)(int)SPLAT_UNIT); }

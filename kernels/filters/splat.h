@@ -6,6 +6,6 @@
 
 /// From pixels to those that lie (x, y) to the right and below.
 typedef struct {
-    int x, y;         ///< [pixels]
-    float intervals;  ///< of the filter's table in a pixel's width
+    int x, y;               ///< [pixels]
+    uint along_x, along_y;  ///< where the weights of samples in such a column, and in such a row, begin among those of weigh_splats
 } Splat;

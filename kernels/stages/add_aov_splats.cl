@@ -7,14 +7,14 @@
 #include "kernels/filters/weighed.cl"
 
 /// As add_splats; in units as add_aov.
-kernel void add_aov_splats(BatchParams batch, FilmBand band, float scale, Splat splat, const global float *restrict filter_values,
-                           const global uint *restrict pixels, const global vec2 *restrict places, const global vec3 *restrict values,
-                           global AovPixel *restrict sums) {
+kernel void add_aov_splats(BatchParams batch, FilmBand band, float scale, Splat splat, const global float *restrict splat_weights,
+                           const global uint *restrict pixels, const global vec3 *restrict values, global AovPixel *restrict sums) {
     FOR_EACH_ITEM_SERIALLY(i, batch.pixels) {
         if (!leads_into_band(pixels[i], splat.x, splat.y, band)) continue;
         global AovPixel *pixel = sums + place_led_to(pixels[i], splat.x, splat.y, band);
         for (uint j = 0u; j < batch.samples; ++j) {
-            const uint s = i * batch.samples + j, weight = splat_weight(places[s], splat, filter_values);
+            const uint s = i * batch.samples + j;
+            const uint weight = splat_weight(splat_weights[splat.along_x + s], splat_weights[splat.along_y + s]);
             const vec3 value = scaled(values[s], scale);
             pixel->sums[0] += weighed(fixed_point(value.x), weight), pixel->sums[1] += weighed(fixed_point(value.y), weight);
             pixel->sums[2] += weighed(fixed_point(value.z), weight);

@@ -16,7 +16,8 @@ kernel void add_samples(BatchParams batch, FilmBand band, const global uint *res
             if (cut(samples[i * batch.samples + j].sum, values)) atomic_inc(clamped);
             for (uint c = 0u; c < 3u; ++c) {
                 add(&pixel->sums[half_of_sample][c], values[c]);
-                add(&pixel->squares[half_of_sample][c], (uint64)values[c] * (uint64)values[c], (uint64)mul_hi(values[c], values[c]));
+                const Integer128 square = product(values[c], values[c]);
+                add(&pixel->squares[half_of_sample][c], square.low, square.high);
             }
             pixel->counts[half_of_sample] += 1u;
         }

@@ -23,11 +23,13 @@ kernel void scan_counts(global uint *restrict chunk_counts, uint chunks, global 
     counts[row] = sum;
 }
 
-/// Work-items (chunk, row): list[row * stride + list_first ...] = base + slot of the live ones, in order.
+/// Work-items (chunk, row): list[row * stride + list_first ...] = base + slot of the live ones, in order. They are gathered first, without branches of
+/// which a processor would guess every other wrong.
 kernel void write_live(const global uchar *restrict alive, uint stride, uint count, const global uint *restrict chunk_counts, uint base,
                        uint list_first, global uint *restrict list) {
     const uint chunk = get_global_id(0), row = get_global_id(1);
-    uint place = row * stride + list_first + chunk_counts[row * get_global_size(0) + chunk];
-    for (uint i = chunk * COMPACT_CHUNK; i < min((chunk + 1u) * COMPACT_CHUNK, count); ++i)
-        if (alive[row * stride + i]) list[place++] = base + row * stride + i;
+    const uint begin = chunk * COMPACT_CHUNK, place = row * stride + list_first + chunk_counts[row * get_global_size(0) + chunk];
+    uint slots[COMPACT_CHUNK], live = 0u;
+    for (uint i = begin; i < min(begin + COMPACT_CHUNK, count); ++i) slots[live] = row * stride + i, live += alive[row * stride + i] != 0;
+    for (uint k = 0u; k < live; ++k) list[place + k] = base + slots[k];
 }

@@ -136,8 +136,8 @@ void Aovs::add(const Batch &batch, Filter &filter) {
 
 void Aovs::add_splats(const Batch &batch, const Splats &splats, float scale, const Access &values, Band<AovPixel> &band) {
     for (const Splat &splat : splats.all())
-        (*add_splats_)(batch.params.pixels, batch.params, band.params, scale, splat, shared(splats.filter_values()), batch.pixels,
-                       several(splats.places(), batch.params.samples), values, updated(band.pixels));
+        (*add_splats_)(batch.params.pixels, batch.params, band.params, scale, splat, several(splats.weights(), 2 * batch.params.samples),
+                       batch.pixels, values, updated(band.pixels));
 }
 
 std::vector<PictureChannel> Aovs::develop(const Film &film) const {

@@ -21,10 +21,10 @@ public:
     /// The same of other values of the samples, for AOVs of the film that are filtered.
     void weigh(const Batch &batch, Buffer<vec3> &values);
     bool has_weights() const { return weigh_.has_value(); }
-    /// If samples are splatted: these, after the batch has been placed.
+    /// If samples are splatted: these, as the last batch of weigh_splats() has them.
     const Splats *splats() const { return splats_ ? &*splats_ : nullptr; }
-    void place(const Batch &batch) {
-        if (splats_) splats_->place(batch);
+    void weigh_splats(const Batch &batch) {
+        if (splats_) splats_->weigh(batch);
     }
 
     template <class Bind> void for_each_argument(Bind bind) const { bind(params_), bind(shared(table_)); }

@@ -1,14 +1,30 @@
 #include "runtime/wavefront/splats.h"
 
 namespace brandung {
+namespace {
+
+/// Entries beyond a column's that kernels read; and strides that are no powers of two.
+constexpr uint spare = 16;
+
+}  // namespace
 
 Splats::Splats(Device &device, const FilmSettings &film, const Sources &lists, uint batch)
-    : place_(device, "kernels/stages/place_samples.cl", "place_samples", lists),
+    : weigh_(device, "kernels/stages/weigh_splats.cl", "weigh_splats", lists),
+      reach_(splat_reach(film)),
+      intervals_(FILTER_INTERVALS / film.filter_radius),
+      stride_(batch + spare),
       values_(device, brandung::filter_values(filter_kinds()[film.filter])),
-      places_(device, batch) {
-    const int reach = splat_reach(film);
-    for (int y = -reach; y <= reach; ++y)
-        for (int x = -reach; x <= reach; ++x) all_.push_back({x, y, FILTER_INTERVALS / film.filter_radius});
+      weights_(device, std::size_t{stride_} * 2 * static_cast<uint>(2 * reach_ + 1)) {
+    const auto column = [&](int k) { return static_cast<uint>(k + reach_) * stride_; };
+    const uint rows = column(reach_ + 1);
+    for (int y = -reach_; y <= reach_; ++y)
+        for (int x = -reach_; x <= reach_; ++x) all_.push_back({x, y, column(x), rows + column(y)});
+}
+
+void Splats::weigh(const Batch &batch) {
+    const double columns = 2.0 * (2 * reach_ + 1);
+    weigh_(batch.count(), batch.params, several(batch.pixels, 1.0 / batch.params.samples), batch.count(), reach_, intervals_, shared(values_),
+           stride_, several(weights_, columns));
 }
 
 }  // namespace brandung

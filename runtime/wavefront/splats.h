@@ -11,23 +11,24 @@ namespace brandung {
 /// pixels add to one at once.
 class Splats {
 public:
-    /// `lists`: the generated files of the scene. Throws BuildError, and Error where the device cannot hold the places of `batch` samples.
+    /// `lists`: the generated files of the scene. Throws BuildError, and Error where the device cannot hold the weights of `batch` samples.
     Splats(Device &device, const FilmSettings &film, const Sources &lists, uint batch);
 
-    /// Finds out where the batch's samples lie in their pixels.
-    void place(const Batch &batch) { place_(batch.count(), batch.params, several(batch.pixels, 1.0 / batch.params.samples), batch.count(), places_); }
+    /// Finds out what the batch's samples weigh.
+    void weigh(const Batch &batch);
     /// From pixels to each of those that the filter reaches from them, themselves among these.
     const std::vector<Splat> &all() const { return all_; }
-    /// f / f(0) from the centre to the radius, FILTER_INTERVALS + 1 values.
-    const Buffer<float> &filter_values() const { return values_; }
-    /// Of the samples of the batch, in [0, 1)².
-    const Buffer<vec2> &places() const { return places_; }
-    std::size_t bytes() const { return values_.bytes() + places_.bytes(); }
+    /// Of the batch's samples, as kernels/stages/weigh_splats.cl has them.
+    const Buffer<float> &weights() const { return weights_; }
+    std::size_t bytes() const { return values_.bytes() + weights_.bytes(); }
 
 private:
-    Kernel place_;
+    Kernel weigh_;
+    int reach_;        ///< of the filter [pixels]
+    float intervals_;  ///< of its values in a pixel's width
+    uint stride_;      ///< of weights
     Buffer<float> values_;
-    Buffer<vec2> places_;
+    Buffer<float> weights_;
     std::vector<Splat> all_;
 };
 

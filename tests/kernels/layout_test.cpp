@@ -113,7 +113,7 @@ const Layouts &host_layouts() {
         RECORD(ShutterParams, open, close, parts),
         RECORD(BatchParams, pixels, first_sample, samples, spp, seed, position),
         RECORD(FilterParams, radius, negative_tail, weight),
-        RECORD(Splat, x, y, intervals),
+        RECORD(Splat, x, y, along_x, along_y),
         RECORD(FilmBand, first_row, rows, first_column, width),
         RECORD(PathParams, max_depth, roulette_depth, bundles),
         RECORD(Bundles, light, diffuse, glossy, transmission),

@@ -195,7 +195,7 @@ TEST(Absence, WhatASceneDoesNotNeedIsNotLaunched) {
     EXPECT_FALSE(weighed.contains("weigh_values"));
     dark.film.filter = kind_number(filter_kinds(), "tent"), dark.film.filter_radius = 1, dark.film.splat = true;
     const auto splatted = launched_by(dark);
-    for (const char *kernel : {"place_samples", "add_splats"}) EXPECT_TRUE(splatted.contains(kernel) && !opaque.contains(kernel)) << kernel;
+    for (const char *kernel : {"weigh_splats", "add_splats"}) EXPECT_TRUE(splatted.contains(kernel) && !opaque.contains(kernel)) << kernel;
     EXPECT_FALSE(splatted.contains("add_samples"));
     for (const char *kernel : {"record_aov", "add_aov", "record_number"}) EXPECT_FALSE(opaque.contains(kernel)) << kernel;
 }

@@ -62,7 +62,7 @@ void add(Film &film, Splats &splats, const Part &part) {
     const std::vector<uint> outside;
     const Buffer<MotionPart> at_rest(device, 0);
     const Batch batch{.params = part.params(), .pixels = pixels, .camera = {}, .shutter = {}, .camera_motion = at_rest, .interior = outside};
-    splats.place(batch);
+    splats.weigh(batch);
     film.add(batch, Buffer<Sample>(device, part.values), &splats);
 }
 
@@ -96,8 +96,7 @@ void add(std::vector<Expected> &film, const Part &part, const std::string &filte
             const double value = double(value_of(part.values[s].sum[c])) * 0x1p-32;
             values[c] = std::clamp(value, -65536.0, 65536.0), is_cut |= values[c] != value;
         }
-        // Where the filter is narrower than the pixel, some samples count nowhere.
-        cut += is_cut && f(double(places[s].x) - 0.5) * f(double(places[s].y) - 0.5) > 0;
+        cut += is_cut;
         for (uint y = 0; y < height; ++y)
             for (uint x = 0; x < width; ++x) {
                 const double weight = f(px + double(places[s].x) - x - 0.5) * f(py + double(places[s].y) - y - 0.5);
