@@ -114,10 +114,14 @@ private:
     json unlit(const TracedRay &ray) const {
         const bool hits = ray.hits();
         const Spectrum black(0), tint = ray.tints ? ray.tints->diffuse : Spectrum(1);
-        return {{"emission", vector(hits ? ray.description.emission : black)},
-                {"ambient", vector(hits ? ray.description.ambient * tint : black)},
-                {"background", vector(hits ? black : ray.unlit)},
-                {"radiance", vector(ray.unlit)}};
+        json result = {{"emission", vector(hits ? ray.description.emission : black)},
+                       {"ambient", vector(hits ? ray.description.ambient * tint : black)},
+                       {"background", vector(hits      ? black
+                                             : ray.met ? ray.met->radiance
+                                                       : ray.unlit)},
+                       {"radiance", vector(ray.unlit)}};
+        if (ray.met) result["weight"] = number(ray.met->weight);
+        return result;
     }
 
     json light(const TracedRay &ray, const TracedLight &light) {
@@ -134,7 +138,19 @@ private:
                        {"filter", light.visible && light.filter ? vector(*light.filter) : json(nullptr)},
                        {"radiance", vector(light.radiance)},
                        {"contribution", vector(counts ? light.radiance * ray.path.throughput : Spectrum(0))}});
+        if (light.chosen) add_choice(*light.chosen, result);
         return result;
+    }
+
+    /// How a path has chosen a light, and what its material makes of that.
+    static void add_choice(const AskedDescription &chosen, json &light) {
+        const float density = 1 / chosen.inverse_density;
+        light.update({{"chance", number(chosen.chance)},
+                      {"density", chosen.inverse_density > 0 ? number(density) : json(nullptr)},
+                      {"irradiance", vector(chosen.irradiance)},
+                      {"bsdf", vector(chosen.value)},
+                      {"bsdf_density", number(chosen.pdf)},
+                      {"weight", number(chosen.weight)}});
     }
 
     /// Adds each block's contribution to the running total.
@@ -165,11 +181,27 @@ private:
                 {"ray", child && child->traced ? ray(*child->traced) : json(nullptr)}};
     }
 
+    /// A part of a path's bundle, or the only one.
+    json part(const TracedRay &parent, const TracedChild &child) {
+        const NextDescription &chosen = child.chosen.value();
+        return {{"kind", ray_kinds[RAY_KIND(child.ray.tag)]},
+                {"possible", true},
+                {"spawned", child.traced != nullptr},
+                {"why_not", why_not_continued(parent, child, scene_.integrator)},
+                {"weight", vector(child.weight)},
+                {"direction", vector(child.ray.direction)},
+                {"density", number(chosen.pdf)},
+                {"bsdf", vector(chosen.scattered)},
+                {"chance", number(chosen.survival)},
+                {"roulette", number(chosen.roulette)},
+                {"ray", child.traced ? ray(*child.traced) : json(nullptr)}};
+    }
+
     json ray(const TracedRay &ray) {
         const Total before = total_;
         json result = {{"number", rays_++},
                        {"kind", ray_kinds[RAY_KIND(ray.ray.tag)]},
-                       {"depth", ray.path.depth},
+                       {"depth", surface_number(ray)},
                        {"throughput", vector(ray.path.throughput)},
                        {"origin", vector(ray.ray.origin)},
                        {"direction", vector(ray.ray.direction)},
@@ -182,6 +214,7 @@ private:
                        {"lights", json::array()},
                        {"contributions", contributions(ray)},
                        {"children", json::array()}};
+        if (scene_.integrator.type == "distributed") result["part"] = {{"number", part_of_sample(ray).number}, {"of", part_of_sample(ray).count}};
         if (ray.hits()) add_hit(ray, result);
         result["subtotal"] = fixed({total_[0] - before[0], total_[1] - before[1], total_[2] - before[2]});
         return result;
@@ -192,6 +225,10 @@ private:
         if (compiled_.transmits) result["interface"] = interface(ray);
         for (const TracedLightBlock &block : ray.lights)
             for (const TracedLight &each : block.lights) result["lights"].push_back(light(ray, each));
+        if (scene_.integrator.traces_paths()) {
+            for (const TracedChild &each : ray.children) result["children"].push_back(part(ray, each));
+            return;
+        }
         if (compiled_.reflects || compiled_.transmits) result["children"].push_back(child(ray, RAY_REFLECTED));
         if (compiled_.transmits) result["children"].push_back(child(ray, RAY_REFRACTED));
     }
@@ -215,19 +252,21 @@ json inspection_json(const Scene &scene, const CompiledScene &compiled, const In
     Describer describer(scene, compiled);
     json samples = json::array();
     for (const InspectedSample &sample : pixel.samples) samples.push_back(describer.sample(sample));
-    return {{"scene", scene.file},
-            {"x", x},
-            {"y", y},
-            {"width", scene.film.width},
-            {"height", scene.film.height},
-            {"spp", scene.film.spp},
-            {"splat", splats(scene.film)},
-            {"seed", scene.film.seed},
-            {"integrator", scene.integrator.type},
-            {"max_depth", scene.integrator.max_depth},
-            {"threshold", scene.integrator.threshold},
-            {"samples", samples},
-            {"pixel", pixel_value(pixel)}};
+    json result = {{"scene", scene.file},
+                   {"x", x},
+                   {"y", y},
+                   {"width", scene.film.width},
+                   {"height", scene.film.height},
+                   {"spp", scene.film.spp},
+                   {"splat", splats(scene.film)},
+                   {"seed", scene.film.seed},
+                   {"integrator", scene.integrator.type},
+                   {"max_depth", scene.integrator.max_depth},
+                   {"threshold", scene.integrator.threshold},
+                   {"samples", samples},
+                   {"pixel", pixel_value(pixel)}};
+    if (scene.integrator.traces_paths()) result["roulette_depth"] = scene.integrator.roulette_depth;
+    return result;
 }
 
 }  // namespace brandung

@@ -91,6 +91,10 @@ void write_branch(Lines &lines, const json &child, bool last) {
         lines.branch(fmt::format("no {}: {}", text_of(child["kind"]), text_of(child["why_not"])), last, [] {});
 }
 
+std::string part(const json &ray) {
+    return ray.contains("part") ? fmt::format(", part {} of {}", text_of(ray["part"]["number"]), text_of(ray["part"]["of"])) : "";
+}
+
 /// The ray and what the surface that it hits could spawn.
 void write_tree(Lines &lines, const json &ray, bool last) {
     const std::string line =
@@ -149,13 +153,28 @@ std::string stratum(const json &stratum) {
     return fmt::format("stratum {},{} of {} x {}", text_of(stratum["column"]), text_of(stratum["row"]), rows, rows);
 }
 
+std::string name_of_light(const json &light) {
+    if (!light["emissive"].is_null()) return fmt::format("light of row {}", text_of(light["row"]));
+    return light["light"].is_null() ? "background asked" : fmt::format("light {}, {}", text_of(light["light"]), text_of(light["kind"]));
+}
+
+/// Of paths, which choose one light.
+void write_choice(Lines &lines, const json &light) {
+    lines.field("  chance", floats(light["chance"]));
+    if (!light["density"].is_null()) lines.field("  its density", floats(light["density"]));
+    lines.field("  irradiance", floats(light["irradiance"]));
+    lines.field("  BSDF x cosine", floats(light["bsdf"]));
+    lines.field("  BSDF's density", floats(light["bsdf_density"]));
+    lines.field("  weight", floats(light["weight"]));
+}
+
 void write_light(Lines &lines, const json &light) {
     const json &emissive = light["emissive"];
-    const std::string name = emissive.is_null() ? fmt::format("light {}, {}", text_of(light["light"]), text_of(light["kind"]))
-                                                : fmt::format("light of row {}", text_of(light["row"]));
+    const std::string name = name_of_light(light);
     lines.field(name, light_state(light));
     if (!emissive.is_null())
         lines.field("  emissive", fmt::format("\"{}\", {}; {}", text_of(emissive["material"]), shape(emissive), stratum(emissive["stratum"])));
+    if (light.contains("chance")) write_choice(lines, light);
     if (!light["asked"]) return;
     lines.field("  from", floats(light["origin"]));
     lines.field("  direction", floats(light["direction"]));
@@ -174,6 +193,10 @@ void write_child(Lines &lines, const json &child) {
     if (!child["possible"] || child["weight"].is_null()) return;
     lines.field("  weight", floats(child["weight"]));
     lines.field("  direction", floats(child["direction"]));
+    if (!child.contains("roulette")) return;
+    lines.field("  density", floats(child["density"]));
+    lines.field("  BSDF / density", floats(child["bsdf"]));
+    lines.field("  chance to go on", fmt::format("{}; roulette {}", floats(child["chance"]), floats(child["roulette"])));
 }
 
 void write_contribution(Lines &lines, const json &contribution) {
@@ -194,13 +217,15 @@ void write_fields(Lines &lines, const json &ray) {
     }
     for (const char *name : {"background", "emission", "ambient"})
         if (!is_black(ray["unlit"][name])) lines.field(name, floats(ray["unlit"][name]));
+    if (ray["unlit"].contains("weight") && !is_black(ray["unlit"]["radiance"])) lines.field("  its weight", floats(ray["unlit"]["weight"]));
     for (const json &light : ray["lights"]) write_light(lines, light);
     for (const json &contribution : ray["contributions"]) write_contribution(lines, contribution);
     for (const json &child : ray["children"]) write_child(lines, child);
 }
 
 void write_details(Lines &lines, const json &ray) {
-    lines.line(fmt::format("ray {}: {}, depth {}, {}", text_of(ray["number"]), text_of(ray["kind"]), text_of(ray["depth"]), what_it_meets(ray)));
+    lines.line(fmt::format("ray {}: {}, depth {}{}, {}", text_of(ray["number"]), text_of(ray["kind"]), text_of(ray["depth"]), part(ray),
+                           what_it_meets(ray)));
     lines.indented("  ", [&] { write_fields(lines, ray); });
     for (const json &child : ray["children"])
         if (child["spawned"]) write_details(lines, child["ray"]);
@@ -210,10 +235,11 @@ void write_details(Lines &lines, const json &ray) {
 
 std::string inspection_text(const json &inspection, bool brief) {
     Lines lines;
-    lines.line(fmt::format("{}, pixel {},{} of {} x {}: {} spp, seed {}, {}, max_depth {}, threshold {}", text_of(inspection["scene"]),
+    const char *limit = inspection.contains("roulette_depth") ? "roulette_depth" : "threshold";
+    lines.line(fmt::format("{}, pixel {},{} of {} x {}: {} spp, seed {}, {}, max_depth {}, {} {}", text_of(inspection["scene"]),
                            text_of(inspection["x"]), text_of(inspection["y"]), text_of(inspection["width"]), text_of(inspection["height"]),
                            text_of(inspection["spp"]), text_of(inspection["seed"]), text_of(inspection["integrator"]),
-                           text_of(inspection["max_depth"]), text_of(inspection["threshold"])));
+                           text_of(inspection["max_depth"]), limit, text_of(inspection[limit])));
     for (const json &sample : inspection["samples"]) {
         const std::string time = sample.contains("time") ? " at time " + text_of(sample["time"]) : "";
         lines.line(fmt::format("sample {}{}: {}", text_of(sample["number"]), time, radiance(sample["sum"])));

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
+#include <string_view>
 
 #include "kernels/primitives/instance.h"
 #include "scene/compilation/spaces.h"
@@ -78,19 +80,29 @@ json SceneObjects::primitive(uint number, uint instance_number) {
     return result;
 }
 
-/// A cell of a grid, or of those of a mesh, which lie along a curve. Lights of files come first, then every shape has as many.
+/// A cell of a grid, or of those of a mesh, which lie along a curve, or for paths a face; those of a shape follow each other.
 json SceneObjects::stratum(uint row) const {
     Emission emission;
     std::memcpy(&emission, lights_.rows[row].words, sizeof emission);
-    const uint cells = scene_.integrator.light_samples * scene_.integrator.light_samples, cell = emission.stratum.cell;
-    if (cell == 0) return {{"cell", (row - static_cast<uint>(scene_.lights.size())) % cells}, {"cells", cells}};
+    const bool flat = std::string_view(light_kinds()[lights_.rows[row].kind].name) == "emissive_flat";
+    const uint cell = flat ? 0 : emission.stratum.cell;
+    if (cell == 0) {
+        const auto is_another = [&](const PlacedShape &placed) {
+            return placed.shape != lights_.shapes[row].shape || placed.instance != lights_.shapes[row].instance;
+        };
+        const auto begin = lights_.shapes.begin(), here = begin + row;
+        const auto last = std::find_if(here, lights_.shapes.end(), is_another);
+        const auto first = std::find_if(std::make_reverse_iterator(here), lights_.shapes.rend(), is_another).base();
+        return {{"cell", here - first}, {"cells", last - first}};
+    }
     return {{"column", cell & 0xff}, {"row", cell >> 8 & 0xff}, {"rows", cell >> 16}};
 }
 
 json SceneObjects::light(uint row) {
     const char *kind = light_kinds()[lights_.rows[row].kind].name;
     const PlacedShape &emissive = lights_.shapes[row];
-    if (!emissive.shape) return {{"row", row}, {"kind", kind}, {"light", row}, {"emissive", nullptr}};
+    const json number = row < scene_.lights.size() ? json(row) : json(nullptr);
+    if (!emissive.shape) return {{"row", row}, {"kind", kind}, {"light", number}, {"emissive", nullptr}};
     json result = shape(shapes_[place_of_shape_.at(emissive.shape)]);
     result["instance"] = instance(emissive.instance);
     result["material"] = scene_.materials[emissive.material].name;

@@ -18,7 +18,7 @@ public:
 
     /// A primitive by its number on the device, in an instance or, where that is 0, outside of all.
     nlohmann::json primitive(uint number, uint instance);
-    /// A row of lights: a light, or a stratum of an emissive shape.
+    /// A row of lights: a light, a stratum of an emissive shape, or the background.
     nlohmann::json light(uint row);
 
 private:

@@ -2,6 +2,7 @@
 // the signs of their directions, so that together they meet fewer primitives.
 #pragma once
 #include "kernels/accelerators/packet.cl"
+#include "kernels/core/counting_sort.cl"
 #include "kernels/core/items.cl"
 #include "kernels/core/major_axis.cl"
 
@@ -21,16 +22,16 @@ FUNCTION uint octant(vec3 d) { return as_uint(d.x) >> 31 | (as_uint(d.y) >> 31) 
 FUNCTION void sort_rays(const global Ray *rays, const global uint *list, Chunk chunk, SortedRays *sorted) {
     uchar keys[RAYS_PER_SORT];
     uint next[3u * OCTANTS + 1u];
-    for (uint k = 0u; k <= 3u * OCTANTS; ++k) next[k] = 0u;
+    count_no_keys(next, 3u * OCTANTS);
     for (uint i = 0u; i < chunk.items; ++i) {
         const vec3 direction = rays[list[chunk.begin + i]].direction;
         keys[i] = (uchar)(major_axis(direction) * OCTANTS + octant(direction));
-        next[keys[i] + 1u] += 1u;
+        count_key(next, keys[i]);
     }
-    for (uint k = 1u; k <= 3u * OCTANTS; ++k) next[k] += next[k - 1u];
+    begin_keys(next, 3u * OCTANTS);
     for (uint axis = 0u; axis < 3u; ++axis) sorted->ends[axis] = next[(axis + 1u) * OCTANTS];
     for (uint i = 0u; i < chunk.items; ++i) {
-        const uint k = next[keys[i]]++;
+        const uint k = place_of_next(next, keys[i]);
         sorted->places[k] = chunk.begin + i, sorted->numbers[k] = list[chunk.begin + i];
     }
 }

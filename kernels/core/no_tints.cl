@@ -1,11 +1,8 @@
 // Stands for core/tints.cl in scenes without textures and vertex colours: nothing is multiplied, nothing is stored.
 #pragma once
 #include "kernels/core/load.cl"
+#include "kernels/core/white_tints.cl"
 
-FUNCTION Tints white_tints() {
-    const Tints white = {{1.0f, 1.0f, 1.0f}, {1.0f, 1.0f, 1.0f}};
-    return white;
-}
 FUNCTION Tints tints_at(const global Tints *tints, uint i) { return white_tints(); }
 typedef uint TintColumns;
 FUNCTION void store_tints(TintColumns *columns, uint c, Tints tints) {}

@@ -34,6 +34,7 @@ FUNCTION vec3 lit_origin(MetSurface met) { return where((met.flags & SURFACE_LIT
 /// A ray that asks whether a light is visible.
 typedef struct {
     Ray ray;
+    float weight;    ///< against the chance that the BSDF finds the same
     Spectrum added;  ///< to the path's sample, if it is
     bool is_worth;
 } AskingRay;
@@ -41,9 +42,9 @@ typedef struct {
 /// For this sample of the chosen light, of which the BSDF says `value`, weighted against the chance that the BSDF finds the same. `z`: of its
 /// direction in the BSDF's frame.
 FUNCTION AskingRay asking_ray(MetSurface met, Path path, BundleRow row, ChosenLight chosen, LightSample sample, float z, BsdfValue value) {
-    const float weight = power_heuristic(value.pdf * inverse_light_density(chosen, sample) * ratio_of_counts(row)) * share_of(row.asking);
-    const Spectrum received = scaled(times(value.value, sample.irradiance), chosen.inverse_chance * weight);
     AskingRay asking;
+    asking.weight = power_heuristic(value.pdf * inverse_light_density(chosen, sample) * ratio_of_counts(row));
+    const Spectrum received = scaled(times(value.value, sample.irradiance), chosen.inverse_chance * (asking.weight * share_of(row.asking)));
     asking.ray = ray_to_light(where(z > 0.0f, met.near, met.far), sample.ray_direction, sample.distance, source_of(met, sample.direction, z));
     asking.added = times(path.throughput, received);
     asking.is_worth =

@@ -9,8 +9,9 @@
 typedef struct {
     Ray ray;
     Path path;
-    float pdf;    ///< of the ray's direction, as of BsdfSample, times the rays that go on for each that asks for light
-    bool enters;  ///< what is behind the surface
+    float pdf;       ///< of the ray's direction, as of BsdfSample, times the rays that go on for each that asks for light
+    float survival;  ///< the chance that it is not ended
+    bool enters;     ///< what is behind the surface
     bool lives;
 } NextPath;
 
@@ -24,15 +25,15 @@ FUNCTION NextPath next_path(MetSurface met, Path path, BundleRow row, BsdfSample
     child.enters = !stays && transmits(met);
     // Radiance in a medium of index n has a factor n², which must not count as brightness.
     const float scale = child.enters ? 1.0f / (met.eta * met.eta) : 1.0f;
-    const float survival = row.surface >= roulette_depth ? minimum(largest(next.weight) * scale, 1.0f) : 1.0f;
+    child.survival = row.surface >= roulette_depth ? minimum(largest(next.weight) * scale, 1.0f) : 1.0f;
     child.path = path;
     child.path.depth = depth_word(row.surface + 1u, part_within(row.path, row.going));
-    child.path.throughput = scaled(times(path.throughput, next.weight), survival > 0.0f ? share_of(row.going) / survival : 0.0f);
+    child.path.throughput = scaled(times(path.throughput, next.weight), child.survival > 0.0f ? share_of(row.going) / child.survival : 0.0f);
     child.path.branch = hash(path.branch * 2u + row.going.number);
     const vec3 origin = where(stays, met.near, met.far);
     child.ray = ray_spawn(origin, wi, stays ? RAY_REFLECTED : RAY_REFRACTED, source_of(met, wi, next.wi.z));
     child.pdf = next.pdf * ratio_of_counts(row);
-    child.lives = is_there(met) && may_come_from(met, wi, next.wi.z) && u < survival && largest(child.path.throughput) > 0.0f &&
+    child.lives = is_there(met) && may_come_from(met, wi, next.wi.z) && u < child.survival && largest(child.path.throughput) > 0.0f &&
                   row.going.number < row.going.count;
     return child;
 }

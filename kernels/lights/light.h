@@ -3,9 +3,11 @@
 #include "kernels/core/portable.h"
 
 // Why a surface does not ask whether a light is visible.
-#define LIGHT_NOT_SHOWN 1u      ///< nothing is hit, or no light of lights is seen on it
-#define LIGHT_BEHIND 2u         ///< it does not face the shading normal
-#define LIGHT_SENDS_NOTHING 4u  ///< there
+#define LIGHT_NOT_SHOWN 1u       ///< nothing is hit, or no light of lights is seen on it
+#define LIGHT_BEHIND 2u          ///< it does not face the shading normal
+#define LIGHT_SENDS_NOTHING 4u   ///< there
+#define LIGHT_ACROSS 8u          ///< of paths: it is on one side of the surface, and on the other of its shading normal's plane
+#define LIGHT_NOT_SCATTERED 16u  ///< of paths: the material sends none of it back along the ray
 
 typedef struct {
     vec3 direction;       ///< from the point towards the light, unit length

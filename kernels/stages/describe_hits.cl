@@ -1,4 +1,5 @@
 // What is told of hits when a pixel is inspected. Never part of a render.
+#include "generated/constants.h"
 #include "kernels/bsdfs/bsdf.cl"
 #include "kernels/bsdfs/emitted.cl"
 #include "kernels/core/load.cl"
@@ -25,7 +26,8 @@ kernel void describe_hits(SCENE_PARAMS, const global Ray *restrict rays, const g
         description.cosine = minimum(maximum(dot3(wo, scaled(surface.normal, enters ? 1.0f : -1.0f)), 0.0f), 1.0f);
         description.cosine_squared_beyond = refracted_cosine_squared(description.cosine, etas[i]);
         description.emission = emitted(material, enters ? 0u : SURFACE_BACK);
-        description.ambient = times(scene.header->ambient, bsdf_ambient(material));
+        const Spectrum ambient = times(scene.header->ambient, bsdf_ambient(material));
+        description.ambient = where(PATHS, make3(0.0f, 0.0f, 0.0f), ambient);
         descriptions[i] = description;
     }
 }

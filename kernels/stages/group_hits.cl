@@ -2,6 +2,7 @@
 // others' code. What has met nothing comes last. Only for paths in scenes with several kinds.
 #include "generated/choosing.cl"
 #include "generated/constants.h"
+#include "kernels/core/counting_sort.cl"
 #include "kernels/core/items.cl"
 #include "kernels/core/load.cl"
 #include "kernels/primitives/placed.cl"
@@ -29,10 +30,10 @@ FUNCTION bool is_ordered(const uchar *kinds, uint items) {
 /// order[j]: which of the chunk's hits comes to its place j. Hits of one kind stay in their order.
 FUNCTION void order_by_kind(const uchar *kinds, uint items, ushort *order) {
     uint next[MAX_KINDS + 1u];
-    for (uint kind = 0u; kind <= MAX_KINDS; ++kind) next[kind] = 0u;
-    for (uint c = 0u; c < items; ++c) next[kinds[c] + 1u] += 1u;
-    for (uint kind = 1u; kind < MAX_KINDS; ++kind) next[kind] += next[kind - 1u];
-    for (uint c = 0u; c < items; ++c) order[next[kinds[c]]++] = (ushort)c;
+    count_no_keys(next, MAX_KINDS);
+    for (uint c = 0u; c < items; ++c) count_key(next, kinds[c]);
+    begin_keys(next, MAX_KINDS);
+    for (uint c = 0u; c < items; ++c) order[place_of_next(next, kinds[c])] = (ushort)c;
 }
 
 /// The chunk's part of an array of records of so many words, a constant up to MAX_WORDS.

@@ -1,14 +1,10 @@
 // From hits to the colours that pictures and vertices give them. Only in scenes with textures, vertex colours or a picture as background.
 #include "generated/instances.cl"
 #include "kernels/core/load.cl"
+#include "kernels/core/white_tints.cl"
 #include "kernels/primitives/primitive.cl"
 #include "kernels/textures/numbered.cl"
 #include "kernels/textures/panorama.cl"
-
-FUNCTION Tints white() {
-    const Tints tints = {{1.0f, 1.0f, 1.0f}, {1.0f, 1.0f, 1.0f}};
-    return tints;
-}
 
 /// Of the chunk's rays that have met nothing, if there are any, the colour of the picture all around; of all others white.
 FUNCTION void look_around(Scene scene, const global uint *list, uint count, const global Ray *rays, const global Hit *hits, global Tints *tints) {
@@ -17,7 +13,7 @@ FUNCTION void look_around(Scene scene, const global uint *list, uint count, cons
     for (uint i = chunk.begin; i < chunk.begin + chunk.items; ++i) any |= hits[i].primitive == NO_HIT;
     if (!any || scene.header->background_texture == 0u) {
         FOR_EACH_ITEM(i, count) {
-            tints[i] = white();
+            tints[i] = white_tints();
         }
         return;
     }
@@ -27,7 +23,7 @@ FUNCTION void look_around(Scene scene, const global uint *list, uint count, cons
         const Hit hit = load(hits + i);
         const bool is_miss = (hit.primitive == NO_HIT) | (hit.t != hit.t);  // reads the whole record: see SurfacePoint
         const Spectrum color = texture_color(scene.texels, picture, panorama_place(ray.direction, scene.header->background_turn));
-        Tints result = white();
+        Tints result = white_tints();
         result.diffuse = where(is_miss, color, result.diffuse);
         tints[i] = result;
     }

@@ -40,8 +40,7 @@ public:
 
     void see(const WaveRecords &wave) override {
         RayQueue &closest = sample_[wave.generation == 0 ? 0 : wave.coherent ? 1 : 2];
-        closest.rays.insert(closest.rays.end(), wave.begun.begin(), wave.begun.end());
-        closest.sources.insert(closest.sources.end(), wave.begun_instances.begin(), wave.begun_instances.end());
+        for (const uint i : wave.traced) closest.rays.push_back(wave.begun[i]), closest.sources.push_back(wave.begun_instances[i]);
         RayQueue &shadows = sample_[are_shadow_rays_coherent(wave.generation) ? 3 : 4];
         for (const LightBlockRecords &block : wave.lights)
             for (const LightRecords &light : block.lights) add_row(shadows, light, wave.instances);

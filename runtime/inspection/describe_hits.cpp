@@ -36,7 +36,7 @@ void describe_lights(Device &device, const DeviceScene &scene, const std::vector
     std::vector<SurfacePoint> points;
     std::vector<uint> branches, instances, rows;
     for_each_light(traced, [&](const TracedRay &ray, TracedLight &light) {
-        if (light.asked) return;
+        if (light.asked || light.chosen) return;
         silent.push_back(&light), points.push_back(ray.point), add_place(instances, ray.instance, ray);
         branches.push_back(ray.path.branch), rows.push_back(light.row);
     });

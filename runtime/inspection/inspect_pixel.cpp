@@ -12,7 +12,6 @@ namespace brandung {
 namespace {
 
 void inspect_samples(const InspectedRender &render, uint x, uint y, SampleRange range, std::vector<InspectedSample> &samples) {
-    if (const std::string why = render.renderer.integrator().unexplained(); !why.empty()) throw Error(why);
     RayTrees trees(range.count);
     const std::vector<Sample> weighed = render.renderer.render_pixel(render.film, x, y, range.first, range.count, &trees);
     for (uint i = 0; i < range.count; ++i)

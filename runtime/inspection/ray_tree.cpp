@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "kernels/core/params.h"
 #include "scene/vectors.h"
 
 namespace brandung {
@@ -22,16 +23,20 @@ std::vector<TracedLightBlock> lights_of(const WaveRecords &wave, std::size_t i) 
         block.contribution = records.contributions[i];
         for (const LightRecords &light : records.lights) {
             const bool asked = light.asked[i] != 0, visible = light.visible[i] != 0;
-            TracedLight &traced = block.lights.emplace_back(TracedLight{.row = light.row,
+            TracedLight &traced = block.lights.emplace_back(TracedLight{.row = light.rows[i],
                                                                         .ray = light.rays[i],
                                                                         .asked = asked,
                                                                         .visible = visible,
                                                                         .description = {},
+                                                                        .chosen = {},
                                                                         .blocker = {},
                                                                         .filter = {},
                                                                         .passed = {},
                                                                         .radiance = light.radiance[i]});
             if (!light.filters.empty() && asked) traced.filter = light.filters[i];
+            if (light.chosen.empty()) continue;
+            const AskedDescription &chosen = traced.chosen.emplace(light.chosen[i]);
+            traced.description = {chosen.irradiance, chosen.cosine, chosen.refusals};
         }
     }
     return blocks;
@@ -55,8 +60,10 @@ TracedRay traced_ray(const WaveRecords &wave, std::size_t i) {
                   .lights = lights_of(wave, i)};
     if (!wave.times.empty()) ray.time = wave.times[i];
     if (!wave.tints.empty()) ray.tints = wave.tints[i];
+    if (!wave.met.empty()) ray.met = wave.met[i];
     for (const ChildRecords &child : wave.children) {
-        ray.children.push_back({child.rays[i], child.weights[i], nullptr});
+        ray.children.push_back({child.rays[i], child.weights[i], nullptr, {}});
+        if (!child.chosen.empty()) ray.children.back().chosen = child.chosen[i];
         if (child.alive[i] != 0) ray.children.back().traced = std::make_unique<TracedRay>();
     }
     return ray;
@@ -82,7 +89,14 @@ void RayTrees::see(const WaveRecords &wave) {
         TracedRay &ray = *waiting_[wave.generation][wave.slots[i]];
         ray = traced_ray(wave, i);
         for (std::size_t j = 0; j < ray.children.size(); ++j) below[wave.base + j * count + i] = ray.children[j].traced.get();
+        std::erase_if(ray.children, [](const TracedChild &child) { return child.chosen && (child.chosen->refusals & PATH_NO_PART) != 0; });
     }
+}
+
+uint surface_number(const TracedRay &ray) { return ray.path.depth & ((1u << SURFACE_BITS) - 1); }
+
+SamplePart part_of_sample(const TracedRay &ray) {
+    return {ray.path.depth >> SURFACE_BITS & (MAX_BUNDLE - 1), (ray.path.depth >> (SURFACE_BITS + PART_BITS)) + 1};
 }
 
 std::vector<TracedRay *> all_rays(std::vector<TracedRay> &trees) {

@@ -16,15 +16,16 @@ namespace brandung {
 struct TracedLight {
     uint row;  ///< of the scene's lights, see LightRows
     Ray ray;
-    bool asked;                      ///< the ray was traced
-    bool visible;                    ///< and light arrives along it
-    LightDescription description;    ///< by describe_hits(), where it was not asked
-    Hit blocker;                     ///< by describe_hits(), where it is not visible: the closest thing in its way; of filtered shadows, by
-                                     ///< list_faces(), that which takes the last of the light
-    uint blocker_instance = 0;       ///< that it is in, 0 outside of all
-    std::optional<Spectrum> filter;  ///< the part of the light that arrives; none where shadows are not filtered, and where it was not asked
-    std::vector<PassedFace> passed;  ///< what lets that part through, in order; by list_faces()
-    Spectrum radiance;               ///< towards the eye at throughput 1; where it is not visible, that which something is in the way of
+    bool asked;                              ///< the ray was traced
+    bool visible;                            ///< and light arrives along it
+    LightDescription description;            ///< by describe_hits(), where it was not asked; of paths: always
+    std::optional<AskedDescription> chosen;  ///< of paths
+    Hit blocker;                             ///< by describe_hits(), where it is not visible: the closest thing in its way; of filtered shadows, by
+                                             ///< list_faces(), that which takes the last of the light
+    uint blocker_instance = 0;               ///< that it is in, 0 outside of all
+    std::optional<Spectrum> filter;          ///< the part of the light that arrives; none where shadows are not filtered, and where it was not asked
+    std::vector<PassedFace> passed;          ///< what lets that part through, in order; by list_faces()
+    Spectrum radiance;                       ///< towards the eye at throughput 1; where it is not visible, that which something is in the way of
 };
 
 /// Lights whose shares were added before they were rounded to fixed point.
@@ -38,8 +39,9 @@ struct TracedRay;
 /// A ray that a hit may spawn.
 struct TracedChild {
     Ray ray;
-    Spectrum weight;                    ///< of its radiance in that of the parent
-    std::unique_ptr<TracedRay> traced;  ///< null if it was not spawned
+    Spectrum weight;                        ///< of its radiance in that of the parent
+    std::unique_ptr<TracedRay> traced;      ///< null if it was not spawned
+    std::optional<NextDescription> chosen;  ///< of paths
 };
 
 struct TracedRay {
@@ -53,14 +55,16 @@ struct TracedRay {
     std::vector<PassedFace> passed;  ///< the faces between `begun` and `ray`, in order; by list_faces()
     SurfacePoint point;
     SurfaceInterface interface;
-    vec3 direction;                    ///< back along the ray
-    std::vector<uint> before, behind;  ///< lists of media, as kernels/core/interior.cl has them
-    HitDescription description{};      ///< by describe_hits(), where something was hit
-    std::optional<Tints> tints;        ///< none in scenes without
-    std::optional<float> time;         ///< none where no instance moves
-    Spectrum unlit;                    ///< radiance that needs no light
+    vec3 direction;                     ///< back along the ray
+    std::vector<uint> before, behind;   ///< lists of media, as kernels/core/interior.cl has them
+    HitDescription description{};       ///< by describe_hits(), where something was hit
+    std::optional<Tints> tints;         ///< none in scenes without
+    std::optional<float> time;          ///< none where no instance moves
+    Spectrum unlit;                     ///< radiance that needs no light
+    std::optional<MetDescription> met;  ///< of paths: what that is, and its weight
     std::vector<TracedLightBlock> lights;
-    std::vector<TracedChild> children;  ///< the mirrored ray, then the refracted one, as far as the scene needs them; or the one that was chosen
+    std::vector<TracedChild> children;  ///< the mirrored ray, then the refracted one, as far as the scene needs them; or the one that was chosen;
+                                        ///< of paths: the parts of the bundle
 
     bool passed_faces() const { return begun.origin != ray.origin; }
     bool hits() const { return hit.primitive != NO_HIT; }
@@ -71,6 +75,7 @@ class RayTrees : public WaveObserver {
 public:
     explicit RayTrees(uint samples);
     void see(const WaveRecords &wave) override;
+    bool explains() const override { return true; }
     void end(const std::vector<Sample> &sums) override { sums_ = sums; }
 
     /// By the sample's place in the batch; complete after the batch.
@@ -86,6 +91,15 @@ private:
 
 /// Adds to an array of instances, as kernels read it, what is in this one at the ray's time.
 void add_place(std::vector<uint> &places, uint instance, const TracedRay &ray);
+
+/// Of the surface where the ray ends, on its way from the eye, from 1 on.
+uint surface_number(const TracedRay &ray);
+/// The `number`-th part, from 0 on, of `count`.
+struct SamplePart {
+    uint number, count;
+};
+/// Which part of its sample a path is: 0 of 1 where there are no bundles, and before the surface that the eye sees.
+SamplePart part_of_sample(const TracedRay &ray);
 
 /// All rays of trees.
 std::vector<TracedRay *> all_rays(std::vector<TracedRay> &trees);

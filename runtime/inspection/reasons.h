@@ -14,6 +14,8 @@ bool can_spawn(const TracedRay &parent, uint kind, const Material &material);
 const TracedChild *child_of_kind(const TracedRay &parent, uint kind);
 /// Of such a child of a ray that hit something; empty if it was spawned.
 std::string why_not_spawned(const TracedRay &parent, uint kind, const Material &material, const IntegratorSettings &settings);
+/// The same of a part of a path's bundle, or of the only one.
+std::string why_not_continued(const TracedRay &parent, const TracedChild &child, const IntegratorSettings &settings);
 /// Empty if its shadow ray was traced.
 std::string why_not_asked(const TracedLight &light);
 

@@ -47,8 +47,6 @@ public:
     virtual std::vector<Bias> biases() const = 0;
     /// What it cannot show, as it is set, that this scene may have.
     virtual std::vector<NotShown> not_shown() const = 0;
-    /// Why the records that it shows of waves do not explain single rays: they lack what these and their lights add. Empty if they do.
-    virtual std::string unexplained() const { return ""; }
 };
 
 struct IntegratorJob {

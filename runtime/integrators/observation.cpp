@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
+#include <utility>
 
 namespace brandung {
 namespace {
@@ -29,19 +31,28 @@ std::vector<float> times_of(const std::vector<uint> &places, uint words) {
     return times;
 }
 
+/// Places in `items`, of which there are `size` for each of these numbers.
+template <class T> void permute(std::vector<T> &items, const std::vector<uint> &numbers, uint size = 1) {
+    const std::vector<T> before = std::exchange(items, {});
+    for (const uint number : numbers) {
+        const auto first = before.begin() + std::ptrdiff_t{number} * size;
+        items.insert(items.end(), first, first + size);
+    }
+}
+
 }  // namespace
 
-Observation::Observation(Device &device, uint batch, uint branching, uint interior_size, uint place_words)
-    : unit_paths(device, std::max(batch, branching)),
-      rays(device, std::size_t{batch} * branching),
-      paths(device, std::size_t{batch} * branching),
-      sources(device, std::size_t{batch} * branching * place_words),
-      interiors(device, std::size_t{batch} * branching * interior_size),
-      alive(device, std::size_t{batch} * branching),
+Observation::Observation(Device &device, uint batch, uint children, uint interior_size, uint place_words)
+    : unit_paths(device, std::max(batch, children)),
+      rays(device, std::size_t{batch} * children),
+      paths(device, std::size_t{batch} * children),
+      sources(device, std::size_t{batch} * children * place_words),
+      interiors(device, std::size_t{batch} * children * interior_size),
+      alive(device, std::size_t{batch} * children),
       all_visible(device, std::vector<std::uint8_t>(batch, 1)),
       arriving(device, batch),
       radiance(device, batch),
-      branching_(branching),
+      children_(children),
       place_words_(place_words) {
     records.interior_size = interior_size;
 }
@@ -55,12 +66,25 @@ void Observation::begin(const Wave &wave, bool coherent) {
     if (records.interior_size > 0) records.begun_media = gather(wave.level.interiors, records.slots, records.interior_size);
     records.paths = gather(wave.level.paths, records.slots);
     std::vector<Path> unit = wave.level.paths.read();
-    for (Path &path : unit) path.throughput = Spectrum(1), path.depth = 1;
+    for (Path &path : unit) path.throughput = Spectrum(1);
     unit_paths.write(unit);
+}
+
+/// From the order in which the rays were traced to that in which the stages behind have left them.
+void Observation::reorder(const Wave &wave) {
+    const std::vector<uint> before = std::exchange(records.slots, wave.level.live.read(wave.first, wave.count));
+    std::map<uint, uint> places;
+    for (uint i = 0; i < wave.count; ++i) places[records.slots[i]] = i;
+    std::vector<uint> numbers(wave.count);  // in the order before
+    for (uint i = 0; i < wave.count; ++i) numbers[places.at(before[i])] = i, records.traced.push_back(places.at(before[i]));
+    permute(records.begun, numbers), permute(records.begun_instances, numbers), permute(records.paths, numbers);
+    if (!records.times.empty()) permute(records.times, numbers);
+    if (records.interior_size > 0) permute(records.begun_media, numbers, records.interior_size);
 }
 
 void Observation::record_hits(const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances, const Buffer<SurfacePoint> &points,
                               const Buffer<SurfaceInterface> &interfaces, const Buffer<vec3> &directions, const Buffer<uint> &beyond) {
+    reorder(wave);
     records.rays = gather(wave.level.rays, records.slots);
     records.hits = hits.read(0, wave.count);
     records.instances = instances_of(instances.read(0, std::size_t{wave.count} * place_words_), place_words_, wave.count);
@@ -84,7 +108,7 @@ void Observation::record_shadows(const Wave &wave, LightRecords &light, std::siz
 
 void Observation::record_children(const Buffer<std::uint8_t> *alive_below) {
     const std::size_t count = records.count();
-    for (uint j = 0; j < branching_; ++j) {
+    for (uint j = 0; j < children_; ++j) {
         ChildRecords &children = records.children.emplace_back();
         children.rays = rays.read(j * count, count);
         for (const Path &path : paths.read(j * count, count)) children.weights.push_back(path.throughput);

@@ -6,11 +6,12 @@
 namespace brandung {
 
 struct Observation {
-    Observation(Device &device, uint batch, uint branching, uint interior_size, uint place_words);
+    /// Of waves of at most so many rays; `children`: per ray, of those that a stage computes once more.
+    Observation(Device &device, uint batch, uint children, uint interior_size, uint place_words);
 
-    /// Before the wave's rays are traced, as `coherent` says.
+    /// Before the wave's rays are traced, as `coherent` says, in their order then.
     void begin(const Wave &wave, bool coherent);
-    /// The interfaces that they have met; `beyond`: the media behind, by item.
+    /// The interfaces that they have met, and the order of all records, which is that of the wave's rays by now; `beyond`: the media behind, by item.
     void record_hits(const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances, const Buffer<SurfacePoint> &points,
                      const Buffer<SurfaceInterface> &interfaces, const Buffer<vec3> &directions, const Buffer<uint> &beyond);
     /// A row of shadow rays, whose first slot this is, after they were traced; `filters` is null where shadows are not filtered. Sets `arriving`.
@@ -20,7 +21,7 @@ struct Observation {
     void record_children(const Buffer<std::uint8_t> *alive_below);
 
     WaveRecords records;
-    Buffer<Path> unit_paths;  ///< those of the wave's level, but as if from the eye: throughput and depth are 1
+    Buffer<Path> unit_paths;  ///< those of the wave's level, but as if from the eye: throughput is 1
     Buffer<Ray> rays;         ///< children from slot 0 on, as are the next four
     Buffer<Path> paths;
     Buffer<uint> sources;
@@ -31,7 +32,9 @@ struct Observation {
     Buffer<Spectrum> radiance;         ///< by item
 
 private:
-    uint branching_, place_words_;
+    void reorder(const Wave &wave);
+
+    uint children_, place_words_;
 };
 
 }  // namespace brandung

@@ -54,7 +54,7 @@ public:
 
     void render(const Batch &batch, Buffer<Sample> &samples, WaveObserver *observer) override {
         observation_.reset();
-        if (observer) observation_.emplace(device_, batch_, 1, surfaces_.interior_size(), surfaces_.place_words);
+        if (observer) observation_.emplace(device_, levels_.capacity(), 0, surfaces_.interior_size(), surfaces_.place_words);
         Level &first = levels_.start(batch.count());
         surfaces_.start(first, batch);
         generate_(batch, first, samples);
@@ -67,7 +67,7 @@ public:
                 cut_.count(*wave, scene_, surfaces_.points);
             shade(*wave);
             accumulate_(wave->count, *wave, wave->level.paths, contributions_, updated(samples), shared(refused_));
-            if (observer) show(*wave, *observer);
+            if (observer) show(*wave, batch, *observer);
             if (wave->children) levels_.add_children(*wave, compact_.counts().read().at(0));
         }
         if (observer) observer->end(samples.read(0, batch.count()));
@@ -96,14 +96,12 @@ public:
         return {{"light of points and directions over mirrors, through smooth glass and masks", "paths cannot meet lights without size by chance"}};
     }
 
-    std::string unexplained() const override { return "single paths cannot be explained yet; --integrator whitted explains its rays"; }
-
 private:
     /// The rays that go on, and those that ask for light.
     void spawn(const Wave &wave, const Batch &batch) {
         Level &below = *wave.children;
         const bool lit = asked_.has_value();
-        const uint rows = wave.generation == 0 ? rows_ : 1, slots = rows * wave.count;
+        const uint rows = rows_of(wave), slots = rows * wave.count;
         if (lit) asked_->shadows.share_among(rows);
         spawn_(Grid(wave.count, rows), scene_.tables(), params_, wave.generation + 1, batch.params, several(batch.pixels, 1.0 / batch.params.samples),
                wave, wave.level.paths, surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.places(), surfaces_.tints(),
@@ -125,16 +123,67 @@ private:
         LightBlockRecords &block = observation_->records.lights.emplace_back();
         for (uint row = 0; row < asking_rows(wave); ++row) {
             const std::size_t first = std::size_t{row} * shadows.stride;
-            block.lights.push_back({row, shadows.rays.read(first, wave.count), shadows.visible.read(first, wave.count), {}, {}, {}});
+            block.lights.push_back({.rays = shadows.rays.read(first, wave.count), .asked = shadows.visible.read(first, wave.count)});
         }
     }
 
-    void show(const Wave &wave, WaveObserver &observer) {
+    /// Adds what the buffers still hold at the end of a wave.
+    void show(const Wave &wave, const Batch &batch, WaveObserver &observer) {
         observation_->record_hits(wave, surfaces_.hits, surfaces_.hit_instances, surfaces_.points, surfaces_.interfaces, surfaces_.directions,
                                   surfaces_.beyond());
+        if (surfaces_.pictures) observation_->records.tints = surfaces_.tints().read(0, wave.count);
+        if (observer.explains()) explain(wave, batch);
         observer.see(observation_->records);
     }
 
+    /// What every ray adds, and what its path has chosen at its end.
+    void explain(const Wave &wave, const Batch &batch) {
+        Observation &o = *observation_;
+        if (!describe_) describe_.emplace(device_, "kernels/stages/describe_paths.cl", "describe_paths", scene_.lists());
+        const uint rows = rows_of(wave), slots = rows * wave.count;
+        const Buffer<MetDescription> met(device_, wave.count);
+        const Buffer<NextDescription> next(device_, slots);
+        const Buffer<AskedDescription> asked(device_, asks_ ? slots : 0);
+        (*describe_)(Grid(wave.count, rows), scene_, params_, wave.generation + 1, batch.params, batch.pixels, wave, wave.level.rays, o.unit_paths,
+                     wave.level.pdfs, surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.places(), surfaces_.tints(),
+                     scene_.texels(), met, next, asked);
+        o.records.met = met.read();
+        record_next(wave, next.read());
+        record_lights(wave, asked.read());
+        shade_(wave.count, scene_, uint{wave.generation == 0}, wave, wave.level.rays, o.unit_paths, wave.level.pdfs, surfaces_.places(),
+               surfaces_.points, surfaces_.interfaces, surfaces_.directions, surfaces_.tints(), 0u, 0u, surfaces_.no_bytes, no_spectra_, o.radiance);
+        o.records.unlit = o.radiance.read(0, wave.count);
+    }
+
+    void record_next(const Wave &wave, const std::vector<NextDescription> &next) {
+        for (uint row = 0; row < rows_of(wave); ++row) {
+            ChildRecords &children = observation_->records.children.emplace_back();
+            const std::size_t first = std::size_t{row} * wave.count;
+            children.alive = wave.children ? alive_.read(first, wave.count) : std::vector<std::uint8_t>(wave.count, 0);
+            for (std::size_t k = first; k < first + wave.count; ++k) {
+                children.chosen.push_back(next[k]);
+                children.rays.push_back(next[k].ray), children.weights.push_back(next[k].weight);
+            }
+        }
+    }
+
+    /// After the shadow rays were traced, where there are some.
+    void record_lights(const Wave &wave, const std::vector<AskedDescription> &asked) {
+        std::vector<LightBlockRecords> &blocks = observation_->records.lights;
+        if (blocks.empty()) blocks.emplace_back();
+        blocks.front().contributions = contributions_.read(0, wave.count);
+        std::size_t k = 0, first = 0;
+        for (LightRecords &light : blocks.front().lights) {
+            light.visible = asked_->shadows.visible.read(first, wave.count), first += asked_->shadows.stride;
+            for (uint i = 0; i < wave.count; ++i, ++k) {
+                light.chosen.push_back(asked[k]);
+                light.rows.push_back(asked[k].row), light.radiance.push_back(asked[k].radiance);
+            }
+        }
+    }
+
+    /// Of the bundles of a wave.
+    uint rows_of(const Wave &wave) const { return wave.generation == 0 ? rows_ : 1; }
     uint asking_rows(const Wave &wave) const { return wave.generation == 0 ? params_.bundles.light : 1; }
 
     void shade(const Wave &wave) {
@@ -164,7 +213,8 @@ private:
     Buffer<Ray> no_rays_;  ///< these stand for arrays that the scene does without
     Buffer<Spectrum> no_spectra_;
     std::optional<AskedLights> asked_;
-    std::optional<Observation> observation_;  ///< only where a batch is observed
+    std::optional<Observation> observation_;  ///< only where a batch is observed,
+    std::optional<Kernel> describe_;          ///< and explained
 };
 
 }  // namespace

@@ -123,7 +123,7 @@ private:
                surfaces_.directions, surfaces_.tints(), several(visible, rows), several(shadow_filter_ ? shadow_filter_->filters : no_spectra_, rows),
                contributions_);
         accumulate_(wave.count, wave, wave.level.paths, contributions_, updated(samples), shared(refused_));
-        if (observation_) record_lights(wave, rows);
+        if (observation_) record_lights(wave, light, rows);
     }
 
     /// Arrays that have a record for each child of an item.
@@ -148,19 +148,21 @@ private:
         LightBlockRecords &block = observation_->records.lights.emplace_back();
         for (uint row = 0; row < rows; ++row) {
             const std::size_t first = std::size_t{row} * shadows_->stride;
-            block.lights.push_back({light + row, shadows_->rays.read(first, wave.count), shadows_->visible.read(first, wave.count), {}, {}, {}});
+            block.lights.push_back({.rows = std::vector<uint>(wave.count, light + row),
+                                    .rays = shadows_->rays.read(first, wave.count),
+                                    .asked = shadows_->visible.read(first, wave.count)});
         }
     }
 
     /// The same after they are, with the share of each light.
-    void record_lights(const Wave &wave, uint rows) {
+    void record_lights(const Wave &wave, uint first_light, uint rows) {
         if (rows == 0) observation_->records.lights.emplace_back();
         LightBlockRecords &block = observation_->records.lights.back();
         for (uint row = 0; row < rows; ++row) {
             LightRecords &light = block.lights[row];
             observation_->record_shadows(wave, light, std::size_t{row} * shadows_->stride, shadows_->visible,
                                          shadow_filter_ ? &shadow_filter_->filters : nullptr);
-            light.radiance = radiance(wave, 0, light.row, 1);
+            light.radiance = radiance(wave, 0, first_light + row, 1);
         }
         block.contributions = contributions_.read(0, wave.count);
     }

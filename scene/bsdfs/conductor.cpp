@@ -1,6 +1,8 @@
 /// Metal in scene files.
 #include "kernels/bsdfs/conductor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -8,6 +10,7 @@
 #include <numbers>
 
 #include "scene/bsdfs/facets.h"
+#include "scene/bsdfs/index_of_refraction.h"
 #include "scene/bsdfs/make.h"
 #include "scene/bsdfs/metals.h"
 #include "scene/parameters.h"
@@ -19,9 +22,16 @@ namespace {
 
 static_assert(offsetof(Conductor, lost) == CONDUCTOR_LOST_WORD * sizeof(uint));
 
-void read_index(const Parameters &parameters, Conductor &conductor) {
+Spectrum read_part(const Parameters &parameters, const char *name) {
+    const Spectrum part = parameters.spectrum(name);
+    if (largest(part) > max_metal_index)
+        parameters.fail(name, fmt::format("must be at most {:g}, got {:g} (its fourth power must fit into a float)", max_metal_index, largest(part)));
+    return part;
+}
+
+void read_index_of_metal(const Parameters &parameters, Conductor &conductor) {
     if (parameters.has("eta") || parameters.has("k")) {
-        conductor.eta = parameters.spectrum("eta"), conductor.k = parameters.spectrum("k");
+        conductor.eta = read_part(parameters, "eta"), conductor.k = read_part(parameters, "k");
         return;
     }
     std::vector<std::string> names;
@@ -58,7 +68,7 @@ void add_multiple_reflection(Conductor &conductor, const Facets &facets) {
 
 Material read_conductor(const Parameters &parameters, Scene &scene) {
     Conductor conductor{};
-    read_index(parameters, conductor);
+    read_index_of_metal(parameters, conductor);
     const TexturedSpectrum specular = read_textured_fraction(parameters, "specular", Spectrum(1), scene);
     const Facets facets = read_facets(parameters, 0);
     conductor.specular = specular.value;

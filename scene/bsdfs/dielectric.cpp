@@ -2,6 +2,7 @@
 #include "kernels/bsdfs/dielectric.h"
 
 #include "scene/bsdfs/facets.h"
+#include "scene/bsdfs/index_of_refraction.h"
 #include "scene/bsdfs/make.h"
 #include "scene/parameters.h"
 #include "scene/vectors.h"
@@ -19,7 +20,7 @@ Material read_dielectric(const Parameters &parameters, Scene &) {
     const uint lobes = facets.alpha > 0 ? MATERIAL_LIT | MATERIAL_GLOSSY | flags_of(facets) : MATERIAL_IDEAL;
     const uint flags = (facets.alpha > 0 ? MATERIAL_LOSES : 0) | (transmits ? MATERIAL_TRANSMITS | MATERIAL_PASSES : 0) | (scatters ? lobes : 0);
     Material material = material_of_kind("dielectric", flags, dielectric);
-    material.eta = parameters.positive("eta", 1.5f);
+    material.eta = read_index(parameters);
     material.priority = parameters.integer("priority", 0, 0, max_priority);
     read_emission(parameters, material);
     return material;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "scene/bsdfs/facets.h"
+#include "scene/bsdfs/index_of_refraction.h"
 #include "scene/bsdfs/make.h"
 #include "scene/parameters.h"
 #include "scene/textures/textured.h"
@@ -41,7 +42,7 @@ void add_boundary(Plastic &plastic, const Facets &facets, double eta) {
 Material read_plastic(const Parameters &parameters, Scene &scene) {
     Plastic plastic{};
     const TexturedSpectrum diffuse = read_textured_fraction(parameters, "diffuse", Spectrum(0.5f), scene);
-    const float eta = parameters.number("eta", 1.5f);
+    const float eta = read_index(parameters);
     if (!(eta > 1)) parameters.fail("eta", "must be above 1");
     plastic.diffuse = diffuse.value;
     plastic.nonlinear = parameters.boolean("nonlinear", false);

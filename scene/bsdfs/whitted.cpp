@@ -1,4 +1,5 @@
 /// Whitted's material in scene files.
+#include "scene/bsdfs/index_of_refraction.h"
 #include "scene/bsdfs/make.h"
 #include "scene/parameters.h"
 #include "scene/scene.h"
@@ -34,7 +35,7 @@ Material read_whitted(const Parameters &parameters, Scene &scene) {
     whitted.fresnel = parameters.boolean("fresnel", false);
     Material material = make_material(whitted);
     material.diffuse_texture = diffuse.texture, material.specular_texture = specular.texture;
-    material.eta = parameters.positive("eta", 1.5f);
+    material.eta = read_index(parameters);
     material.priority = parameters.integer("priority", 0, 0, max_priority);
     read_emission(parameters, material);
     return material;

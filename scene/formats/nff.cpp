@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "scene/bsdfs/bsdf.h"
+#include "scene/bsdfs/index_of_refraction.h"
 #include "scene/formats/format.h"
 #include "scene/formats/tokens.h"
 #include "scene/lights/light.h"
@@ -127,7 +128,8 @@ void read_fill(Reading &reading) {
     const float shine = tokens.not_negative("shine of a material"), t = tokens.not_negative("T of a material");
     const float eta = tokens.not_negative("index of refraction");
     if (t > 0 && eta == 0) tokens.fail("index of refraction: must be positive where T is, got 0");
-    add_material(reading, fmt::format("line {}", line), color, kd, ks, shine, t, eta > 0 ? eta : 1);
+    if (t > 0 && !is_permitted_index(eta)) tokens.fail("index of refraction: " + why_no_index(eta));
+    add_material(reading, fmt::format("line {}", line), color, kd, ks, shine, t, is_permitted_index(eta) ? eta : 1);
     ++reading.materials;
 }
 

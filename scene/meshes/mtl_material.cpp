@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/bsdfs/bsdf.h"
+#include "scene/bsdfs/index_of_refraction.h"
 #include "scene/meshes/mtl.h"
 #include "scene/vectors.h"
 
@@ -64,6 +65,12 @@ void make_metallic(const MtlMaterial &mtl, Whitted &whitted, std::map<std::strin
     whitted.diffuse *= (1 - smooth_reflectance) * (1 - sharp);
 }
 
+float index_of_glass(const MtlMaterial &mtl, std::map<std::string, uint> &warnings) {
+    const float index = mtl.ni.value_or(0);
+    if (index > 0 && !is_permitted_index(index)) ++warnings["material of glass whose Ni is not from 0.01 to 100: taken as 1.5"];
+    return is_permitted_index(index) ? index : default_eta;
+}
+
 }  // namespace
 
 Material make_material(const MtlMaterial &mtl, std::map<std::string, uint> &warnings) {
@@ -81,7 +88,7 @@ Material make_material(const MtlMaterial &mtl, std::map<std::string, uint> &warn
     }
     if (is_glass(illum)) {
         make_glass(mtl, opaque, whitted, warnings);
-        eta = mtl.ni.value_or(0) > 0 ? *mtl.ni : default_eta;
+        eta = index_of_glass(mtl, warnings);
     } else if (opaque < 1) {
         for (Spectrum *part : {&whitted.diffuse, &whitted.specular, &whitted.reflection}) *part *= opaque;
         whitted.transmission = Spectrum(1 - opaque);

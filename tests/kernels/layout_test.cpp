@@ -53,6 +53,7 @@
 #include "kernels/selftest/all_hits.h"
 #include "kernels/stages/describe_hits.h"
 #include "kernels/stages/describe_lights.h"
+#include "kernels/stages/describe_paths.h"
 #include "kernels/stages/face_list.h"
 #include "kernels/textures/texture.h"
 #include "tests/support/probe.h"
@@ -101,6 +102,9 @@ const Layouts &host_layouts() {
         RECORD(TextureRecord, offset, width, height, flags),
         RECORD(HitDescription, p, error, geometric, normal, cosine, cosine_squared_beyond, emission, ambient),
         RECORD(LightDescription, irradiance, cosine, refusals),
+        RECORD(MetDescription, radiance, weight),
+        RECORD(NextDescription, ray, weight, scattered, pdf, survival, roulette, refusals),
+        RECORD(AskedDescription, row, chance, irradiance, inverse_density, cosine, value, pdf, weight, radiance, refusals),
         RECORD(PassedFace, p, enters, hit, transmission, instance),
         RECORD(Tally, rays, hits),
         RECORD(MetPrimitives, closest, all),

@@ -96,6 +96,7 @@ TEST(CliBenchVolumes, MeasuresEveryTest) {
     const Finished run = run_program({"bench", "volumes", "--json"});
     expect_success(run);
     const json costs = json::parse(run.out).at("nanoseconds");
-    EXPECT_EQ(costs.size(), 8u);
-    for (const char *name : {"box", "block of spheres", "block of triangles", "block of frusta"}) EXPECT_GT(costs.at(name), 0) << name;
+    EXPECT_EQ(costs.size(), 10u) << "five kinds of volumes and of primitives";
+    for (const char *name : {"box", "block: sphere", "block: triangle", "block: smooth_triangle", "block: frustum", "block: disk"})
+        EXPECT_GT(costs.at(name), 0) << name;
 }

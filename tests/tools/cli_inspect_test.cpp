@@ -88,6 +88,47 @@ TEST(CliInspect, JsonHasTheseFields) {
     EXPECT_EQ(ray["throughput"], json::parse(R"({"decimal": [1.0, 1.0, 1.0], "hex": ["0x1p+0", "0x1p+0", "0x1p+0"]})"));
 }
 
+TEST(CliInspect, JsonOfPathsHasTheseFieldsToo) {
+    const TemporaryFolder folder;
+    const json inspection = inspected(folder, {"8,6", "--json", "--integrator", "path"});
+    EXPECT_EQ(inspection["integrator"], "path");
+    EXPECT_EQ(inspection["roulette_depth"], 4);
+    const json &sample = inspection["samples"][0], &ray = sample["ray"], &light = ray["lights"][0], &child = ray["children"][0];
+    EXPECT_EQ(names(ray["unlit"]), (Names{"ambient", "background", "emission", "radiance", "weight"}));
+    EXPECT_EQ(ray["unlit"]["ambient"]["decimal"], json({0.0f, 0.0f, 0.0f})) << "paths know none";
+    EXPECT_EQ(names(light), (Names{"asked",     "blocker",  "bsdf",   "bsdf_density", "chance",  "contribution", "density",
+                                   "direction", "emissive", "filter", "irradiance",   "kind",    "light",        "origin",
+                                   "passed",    "radiance", "row",    "t_max",        "visible", "weight",       "why_not"}));
+    EXPECT_EQ(names(child), (Names{"bsdf", "chance", "density", "direction", "kind", "possible", "ray", "roulette", "spawned", "weight", "why_not"}));
+    EXPECT_EQ(ray["children"].size(), 1u);
+    EXPECT_EQ(light["density"], nullptr) << "a point has none";
+    EXPECT_EQ(sample["sum"], ray["subtotal"]);
+    EXPECT_FALSE(ray.contains("part"));
+}
+
+TEST(CliInspect, PartsOfBundlesAreTold) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> distributed = {
+        "8,6", "--integrator", "distributed", "--set", "integrator.bundles.diffuse=3", "--set", "integrator.bundles.glossy=3"};
+    std::vector<std::string> as_json = distributed;
+    as_json.push_back("--json");
+    const json ray = inspected(folder, as_json)["samples"][0]["ray"];
+    ASSERT_EQ(ray["children"].size(), 3u);
+    for (int j = 0; j < 3; ++j) EXPECT_EQ(ray["children"][j]["ray"]["part"], json({{"number", j}, {"of", 3}}));
+    EXPECT_EQ(ray["part"], json({{"number", 0}, {"of", 1}}));
+    const Finished run = inspect(folder, distributed);
+    EXPECT_NE(run.out.find("\nray 3: reflected, depth 2, part 2 of 3, meets nothing"), std::string::npos) << run.out;
+}
+
+TEST(CliInspect, TextOfPathsSaysHowTheyChose) {
+    const TemporaryFolder folder;
+    const Finished run = inspect(folder, {"8,6", "--integrator", "path"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    for (const char *part : {", path, max_depth ", ", roulette_depth 4\n", "  chance           1 [0x1p+0]", "  BSDF x cosine  ", "  BSDF's density ",
+                             "  chance to go on  1 [0x1p+0]; roulette "})
+        EXPECT_NE(run.out.find(part), std::string::npos) << part << " in\n" << run.out;
+}
+
 TEST(CliInspect, InterfacesHaveMediaOnBothSides) {
     const TemporaryFolder folder;
     const json inspection = inspected(folder, {"8,6", "--json", "--set", "materials.0.transmission=1"});

@@ -28,5 +28,27 @@ TEST(SceneObjects, TellsStrataOfSpheresAndMeshes) {
     EXPECT_EQ(objects.light(7)["emissive"]["kind"], "triangle");
 }
 
+/// Paths choose among a shape's faces, and ask the background, which is none of the file's lights.
+TEST(SceneObjects, TellsFacesThatPathsChooseAndTheBackground) {
+    Scene scene;
+    scene.file = "scene";
+    scene.integrator.type = "path";
+    scene.lights.push_back(point_light({0, 5, 0}, Spectrum(1)));
+    Material shining = matte(0.5f);
+    shining.emission = Spectrum(1);
+    const uint lamp = add_material(scene, shining);
+    add_sphere(scene, lamp, {0, 0, 0}, 1);
+    add_triangle(scene, lamp, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    scene.background = Spectrum(1);
+    scene.textures.push_back({"", {.wrap = TextureWrap::panorama}, {2, 1, {vec3(1), vec3(1)}, {}}});
+    scene.background_texture = 1;
+    SceneObjects objects(scene);
+    EXPECT_EQ(objects.light(0)["light"], 0);
+    EXPECT_EQ(objects.light(3)["kind"], "environment");
+    EXPECT_EQ(objects.light(3)["light"], nullptr);
+    EXPECT_EQ(objects.light(1)["emissive"]["stratum"], json({{"column", 0}, {"row", 0}, {"rows", 1}}));
+    EXPECT_EQ(objects.light(2)["emissive"]["stratum"], json({{"cell", 0}, {"cells", 1}}));
+}
+
 }  // namespace
 }  // namespace brandung

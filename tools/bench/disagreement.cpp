@@ -37,7 +37,7 @@ std::optional<Disagreement> compare_answers(const Judge &judge, const RayQueue &
     for (std::size_t first = 0; first < disputes.size(); first += judged_at_once) {
         if (!goes_on()) return {};
         const std::size_t count = std::min(judged_at_once, disputes.size() - first);
-        const std::vector<Verdict> verdicts = judge.judge(std::span(disputes).subspan(first, count));
+        const std::vector<DisputeVerdict> verdicts = judge.judge(std::span(disputes).subspan(first, count));
         for (std::size_t i = 0; i < count; ++i) {
             const auto [ours_wrong, theirs_wrong] = verdicts[i];
             all.mismatches += is_mismatch[first + i];

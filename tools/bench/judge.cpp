@@ -43,8 +43,8 @@ Judge::Findings Judge::findings(const Ray &ray) const {
     return all;
 }
 
-std::vector<Verdict> Judge::judge(std::span<const Dispute> disputes) const {
-    std::vector<Verdict> verdicts(disputes.size());
+std::vector<DisputeVerdict> Judge::judge(std::span<const Dispute> disputes) const {
+    std::vector<DisputeVerdict> verdicts(disputes.size());
     tbb::parallel_for(std::size_t{0}, disputes.size(), [&](std::size_t i) {
         const Dispute &dispute = disputes[i];
         const Findings found = findings(dispute.ray);

@@ -20,7 +20,7 @@ struct Dispute {
     Claim ours, theirs;
 };
 
-struct Verdict {
+struct DisputeVerdict {
     bool ours_wrong, theirs_wrong;
 };
 
@@ -33,7 +33,7 @@ class Judge {
 public:
     /// Of a geometry that must live as long.
     explicit Judge(const SceneGeometry &geometry);
-    std::vector<Verdict> judge(std::span<const Dispute> disputes) const;
+    std::vector<DisputeVerdict> judge(std::span<const Dispute> disputes) const;
 
 private:
     struct Findings;

@@ -39,13 +39,25 @@ struct SurfacePlace {
     vec3 origin() const { return vec3(point + glm::dot(glm::abs(normal), error) * normal); }
 };
 
+dvec3 rounded(Vector v) { return {double(v.x), double(v.y), double(v.z)}; }
+
+/// From near its surface: the second step is for what is curved.
+SurfacePlace place_on_other(const OtherPrimitives &primitives, uint lane, dvec3 hit) {
+    Vector point(hit.x, hit.y, hit.z);
+    for (int step = 0; step < 2; ++step)
+        point = point - primitives.oracle->normal_at(primitives[lane], point).n * primitives.oracle->distance(primitives[lane], point);
+    return {rounded(point), {}, rounded(primitives.oracle->normal_at(primitives[lane], point).n)};
+}
+
 /// In double, on the primitive itself. Tracers know it to some units in the last place of coordinates.
-SurfacePlace place_on(const GeometryPrimitive &primitive, dvec3 hit) {
+SurfacePlace place_on(const SceneGeometry &geometry, const GeometryPrimitive &primitive, dvec3 hit) {
     const dvec3 a(primitive.a);
     SurfacePlace place{};
     if (primitive.kind == GeometryPrimitive::Kind::triangle) {
         place.normal = glm::normalize(glm::cross(dvec3(primitive.b) - a, dvec3(primitive.c) - a));
         place.point = hit - glm::dot(hit - a, place.normal) * place.normal;
+    } else if (primitive.kind == GeometryPrimitive::Kind::other) {
+        place = place_on_other(geometry.others[primitive.blocks], primitive.lane, hit);
     } else {
         place.normal = glm::normalize(hit - a);
         place.point = a + std::abs(double(primitive.b.x)) * place.normal;
@@ -65,9 +77,10 @@ SurfacePlace place_in_world(const SurfacePlace &place, const Instance &instance)
 SurfacePlace place_of(const SceneGeometry &geometry, const Ray &ray, const Hit &hit, uint instance) {
     const dvec3 in_world = dvec3(ray.origin) + double(hit.t) * dvec3(ray.direction);
     const GeometryPrimitive &primitive = geometry.primitives[hit.primitive];
-    SurfacePlace place = instance == 0 ? place_on(primitive, in_world)
-                                       : place_in_world(place_on(primitive, PlaceMap(geometry.instances[instance].to_group).point(in_world)),
-                                                        geometry.instances[instance]);
+    SurfacePlace place = instance == 0
+                             ? place_on(geometry, primitive, in_world)
+                             : place_in_world(place_on(geometry, primitive, PlaceMap(geometry.instances[instance].to_group).point(in_world)),
+                                              geometry.instances[instance]);
     if (glm::dot(place.normal, dvec3(ray.direction)) > 0) place.normal = -place.normal;
     return place;
 }

@@ -11,10 +11,10 @@
 #include "kernels/accelerators/bounding_volumes.h"
 #include "kernels/core/items.h"
 #include "runtime/opencl/kernel.h"
+#include "runtime/selftest/oracle.h"
 #include "runtime/wavefront/device_scene.h"
 #include "scene/accelerators/accelerator.h"
 #include "scene/accelerators/volume_fit.h"
-#include "scene/primitives/add.h"
 #include "tools/median.h"
 #include "tools/scene_options.h"
 #include "tools/standard_output.h"
@@ -54,14 +54,6 @@ std::vector<Ray> some_rays(Source &source) {
     return rays;
 }
 
-/// One sphere, triangle or frustum; a tenth as large as the unit cube that all are in.
-void add_one(Scene &scene, int kind, Source &source) {
-    const vec3 a = source.point(), b = a + 0.1f * source.point(), c = a + 0.1f * source.point();
-    if (kind == 0) add_sphere(scene, 0, a, 0.05f);
-    if (kind == 1) add_triangle_mesh(scene, 0, MeshData{.positions = {a, b, c}, .indices = {0, 1, 2}});
-    if (kind == 2) add_frustum(scene, 0, a, 0.02f, b, 0.01f);
-}
-
 class Tests {
 public:
     explicit Tests(Device &device) : device_(device), rays_(device, some_rays(source_)), results_(device, ray_count) {}
@@ -79,7 +71,7 @@ public:
             const FittedVolumes fitted = fit_volumes(parts);
             for (uint kind = 0; kind < VOLUME_KINDS; ++kind) volumes[kind].push_back(fitted[kind]);
         }
-        Scene scene = scene_of(0);
+        Scene scene = scene_of(*primitive_oracles().front());
         const DeviceScene on_device(device_, compile(scene));
         Kernel kernel(device_, file, "test_volumes", on_device.lists());
         const Buffer<VolumeNode> node_buffer(device_, nodes);
@@ -94,8 +86,8 @@ public:
     }
 
     /// Of one block of eight.
-    double of_blocks(int kind) {
-        Scene scene = scene_of(kind);
+    double of_blocks(const PrimitiveOracle &oracle) {
+        Scene scene = scene_of(oracle);
         const CompiledScene compiled = compile(scene, {.accelerator = &find_accelerator("none")});
         const DeviceScene on_device(device_, compiled);
         Kernel kernel(device_, file, "test_blocks", on_device.lists());
@@ -103,10 +95,13 @@ public:
     }
 
 private:
-    Scene scene_of(int kind) {
+    /// Primitives of one kind, a tenth as large as the unit cube that all are in.
+    Scene scene_of(const PrimitiveOracle &oracle) {
         Scene scene;
         scene.materials.push_back({"", {}});
-        for (uint i = 0; i < volume_count; ++i) add_one(scene, kind, source_);
+        InputSource input(1);
+        while (scene.shapes.size() < volume_count)
+            if (auto shape = oracle.make(input, source_.point(), 0.1f)) scene.shapes.push_back(std::move(shape));
         return scene;
     }
 
@@ -138,8 +133,8 @@ int run(const Options &options) {
     json all = {{"device", device.info().name}, {"nanoseconds", json::object()}};
     const auto costs = tests.of_volumes();
     for (uint kind = 0; kind < VOLUME_KINDS; ++kind) all["nanoseconds"][kinds[kind]] = costs[kind];
-    constexpr const char *primitives[] = {"block of spheres", "block of triangles", "block of frusta"};
-    for (int kind = 0; kind < 3; ++kind) all["nanoseconds"][primitives[kind]] = tests.of_blocks(kind);
+    for (const PrimitiveOracle *oracle : primitive_oracles())
+        all["nanoseconds"][std::string("block: ") + oracle->kind().name] = tests.of_blocks(*oracle);
     if (options.as_json) {
         print_result(all.dump(2) + "\n");
         return 0;

@@ -14,29 +14,73 @@
 namespace brandung {
 namespace {
 
-/// What is added by a ray and all below it; checks on the way that the parts of each are the whole, to the bit.
-std::array<__int128, 3> checked_sum(const TracedRay &ray, const Scene &scene) {
-    std::array<__int128, 3> sum{};
+/// Whitted's lights, times throughput all at once, what needs no light first.
+void check_lights(const TracedRay &ray) {
     Spectrum radiance = ray.unlit;
     for (const TracedLightBlock &block : ray.lights) {
-        for (const TracedLight &light : block.lights) {
-            EXPECT_EQ(light.asked, why_not_asked(light).empty());
+        for (const TracedLight &light : block.lights)
             if (light.asked && light.visible) radiance += light.radiance;
-        }
         EXPECT_TRUE(same_bits(block.contribution, radiance * ray.path.throughput)) << "the lights one by one are not those of the block";
+        radiance = Spectrum(0);
+    }
+}
+
+/// What was chosen makes up what is asked for.
+void check_choice(const TracedLight &light, std::size_t count) {
+    const AskedDescription &chosen = *light.chosen;
+    const Spectrum expected = chosen.value * chosen.irradiance * chosen.weight / (chosen.chance * float(count));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(light.radiance[c], expected[c], 1e-5 * expected[c]);
+}
+
+/// Those that paths have asked, each times throughput, then what the ray has met.
+void check_asked_lights(const TracedRay &ray) {
+    EXPECT_TRUE(same_bits(ray.unlit, ray.met->radiance * ray.met->weight));
+    ASSERT_EQ(ray.lights.size(), 1u);
+    Spectrum contribution(0);
+    for (const TracedLight &light : ray.lights[0].lights) {
+        if (light.asked) check_choice(light, ray.lights[0].lights.size());
+        if (light.asked && light.visible) contribution += ray.path.throughput * light.radiance;
+    }
+    EXPECT_TRUE(same_bits(ray.lights[0].contribution, ray.unlit * ray.path.throughput + contribution));
+}
+
+void check_child(const TracedRay &ray, std::size_t j, const Scene &scene) {
+    const TracedChild &child = ray.children[j];
+    EXPECT_EQ(child.traced != nullptr,
+              why_not_spawned(ray, RAY_KIND(child.ray.tag), scene.materials[ray.point.material].record, scene.integrator).empty());
+    if (!child.traced) return;
+    EXPECT_TRUE(scene.integrator.follows_one || RAY_KIND(child.traced->begun.tag) == (j == 0 ? RAY_REFLECTED : RAY_REFRACTED));
+    EXPECT_TRUE(same_bits(child.traced->path.throughput, ray.path.throughput * child.weight));
+}
+
+/// A part of a bundle, or the only one: chance that ends paths makes up for itself, and the parts share.
+void check_part(const TracedRay &ray, std::size_t j, const Scene &scene) {
+    const TracedChild &child = ray.children[j];
+    EXPECT_EQ(child.traced != nullptr, why_not_continued(ray, child, scene.integrator).empty());
+    if (!child.traced) return;
+    const float share = 1 / float(ray.children.size());
+    EXPECT_TRUE(same_bits(child.traced->path.throughput, ray.path.throughput * child.chosen->scattered * (share / child.chosen->survival)));
+    const SamplePart before = part_of_sample(ray), part = part_of_sample(*child.traced);
+    EXPECT_EQ(part.count, before.count * ray.children.size());
+    EXPECT_EQ(part.number, before.number * ray.children.size() + j);
+}
+
+/// What is added by a ray and all below it; checks on the way that the parts of each are the whole, to the bit.
+std::array<__int128, 3> checked_sum(const TracedRay &ray, const Scene &scene) {
+    const bool paths = scene.integrator.traces_paths();
+    paths ? check_asked_lights(ray) : check_lights(ray);
+    std::array<__int128, 3> sum{};
+    for (const TracedLightBlock &block : ray.lights) {
+        for (const TracedLight &light : block.lights) EXPECT_EQ(light.asked, why_not_asked(light).empty());
         const FixedPoint fixed = fixed_point(block.contribution);
         for (std::size_t c = 0; c < 3; ++c) sum[c] += fixed[c];
-        radiance = Spectrum(0);
     }
     for (std::size_t j = 0; ray.hits() && j < ray.children.size(); ++j) {
         const TracedChild &child = ray.children[j];
-        EXPECT_EQ(child.traced != nullptr,
-                  why_not_spawned(ray, RAY_KIND(child.ray.tag), scene.materials[ray.point.material].record, scene.integrator).empty());
+        paths ? check_part(ray, j, scene) : check_child(ray, j, scene);
         if (!child.traced) continue;
-        EXPECT_TRUE(scene.integrator.follows_one || RAY_KIND(child.traced->begun.tag) == (j == 0 ? RAY_REFLECTED : RAY_REFRACTED));
         EXPECT_TRUE(same_bits(child.traced->begun, child.ray)) << "child " << j << " is another's";
-        EXPECT_TRUE(same_bits(child.traced->path.throughput, ray.path.throughput * child.weight));
-        EXPECT_EQ(child.traced->path.depth, ray.path.depth + 1);
+        EXPECT_EQ(surface_number(*child.traced), surface_number(ray) + 1);
         const auto below = checked_sum(*child.traced, scene);
         for (std::size_t c = 0; c < 3; ++c) sum[c] += below[c];
     }
@@ -61,6 +105,15 @@ bool lit_in_blocks(const TracedRay &ray) { return ray.lights.size() > 1; }
 bool meets_an_instance(const TracedRay &ray) { return ray.instance > 0; }
 bool meets_a_texture(const TracedRay &ray) { return ray.hits() && ray.tints && ray.tints->diffuse != Spectrum(1); }
 
+bool ends_by_chance(const TracedRay &ray) {
+    const auto ended = [](const TracedChild &child) { return !child.traced && child.chosen && child.chosen->refusals == PATH_ENDED; };
+    return std::any_of(ray.children.begin(), ray.children.end(), ended);
+}
+bool meets_weighted_light(const TracedRay &ray) { return ray.met && ray.met->weight < 1 && ray.unlit != Spectrum(0); }
+bool meets_weighted_background(const TracedRay &ray) { return !ray.hits() && meets_weighted_light(ray); }
+bool is_one_of_several(const TracedRay &ray) { return part_of_sample(ray).count > 1 && ray.lights[0].lights[0].asked; }
+bool refracts(const TracedRay &ray) { return ray.hits() && ray.children.at(0).traced && RAY_KIND(ray.children[0].ray.tag) == RAY_REFRACTED; }
+
 /// A scene, and what must happen to some ray of the pixels that are inspected, so that they test what the scene is for.
 struct Picture {
     const char *name;
@@ -76,6 +129,8 @@ Scene example(const char *name, std::vector<std::string> settings) {
 
 /// At 12, 9 is the shadow of the glass ball.
 Scene shadow_of_glass() { return example("whitted_1980.json", {"film.spp=16", "integrator.shadows=filtered"}); }
+/// Plates of rough glass, plastic and metal, whose hits are grouped by these kinds.
+Scene materials() { return example("materials.json", {"film.spp=64", "integrator.max_depth=5"}); }
 Scene mitchell_textures() { return example("textures.json", {"film.spp=4", "film.filter=mitchell"}); }
 
 class InspectedPicture : public testing::TestWithParam<Picture> {};
@@ -118,7 +173,13 @@ INSTANTIATE_TEST_SUITE_P(Scenes, InspectedPicture,
                                          Picture{"FilteredShadowAtSixteen", shadow_of_glass, lit_through_something},
                                          Picture{"LampsInBlocks", [] { return example("lamps.json", {"film.spp=4"}); }, lit_in_blocks},
                                          Picture{"Instances", [] { return example("instances.json", {"film.spp=2"}); }, meets_an_instance},
-                                         Picture{"TexturesFilteredByMitchell", mitchell_textures, meets_a_texture}),
+                                         Picture{"TexturesFilteredByMitchell", mitchell_textures, meets_a_texture},
+                                         Picture{"PathsThatEndByChance", [] { return example("path.json", {"film.spp=32"}); }, ends_by_chance},
+                                         Picture{"PathsThatMeetLamps", [] { return example("path.json", {"film.spp=64"}); }, meets_weighted_light},
+                                         Picture{"PathsOfSeveralKinds", materials, refracts},
+                                         Picture{"PathsThatMeetTheSun", [] { return example("environment.json", {"film.spp=16"}); },
+                                                 meets_weighted_background},
+                                         Picture{"Bundles", [] { return example("distributed.json", {"film.spp=2"}); }, is_one_of_several}),
                          [](const auto &info) { return info.param.name; });
 
 }  // namespace

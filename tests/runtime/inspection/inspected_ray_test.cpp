@@ -243,6 +243,70 @@ TEST(InspectedShadow, SaysThatASpotLightSendsNothingOutsideItsCone) {
     EXPECT_TRUE(light(ray, 1).asked);
 }
 
+/// A path meets a matte floor at z = -4 and asks the second light, the first being next to nothing: it is 4 above the floor and 3 aside, which gives
+/// 25 / 25 * 0.8 * 0.5 / π. It goes on upwards.
+TEST(InspectedPath, AsksTheLightThatItChooses) {
+    Scene scene = one_ray();
+    scene.integrator.type = "path";
+    const uint floor = add_material(scene, matte(0.5f));
+    add_triangle(scene, floor, {-6, -4, -4}, {6, -4, -4}, {0, 12, -4});
+    scene.lights = {point_light({0, 3, 0}, Spectrum(0x1p-40f)), point_light({0, 3, 0}, Spectrum(25))};
+    const TracedRay ray = traced(scene);
+    const AskedDescription chosen = light(ray, 0).chosen.value();
+    EXPECT_TRUE(light(ray, 0).asked && light(ray, 0).visible);
+    EXPECT_EQ(light(ray, 0).row, 1u);
+    EXPECT_NEAR(chosen.chance, 1, 1e-6);
+    EXPECT_EQ(chosen.inverse_density, 0) << "it has no size";
+    EXPECT_EQ(chosen.weight, 1) << "so that nothing meets it";
+    EXPECT_NEAR(chosen.irradiance.x, 1, 1e-6);
+    EXPECT_NEAR(chosen.cosine, 0.8, 1e-6);
+    EXPECT_NEAR(chosen.value.x, 0.4 / M_PI, 1e-6);
+    EXPECT_NEAR(chosen.pdf, 0.8 / M_PI, 1e-6);
+    EXPECT_NEAR(light(ray, 0).radiance.x, 0.4 / M_PI, 1e-6);
+    ASSERT_EQ(ray.children.size(), 1u);
+    const NextDescription next = ray.children[0].chosen.value();
+    EXPECT_EQ(why_not_continued(ray, ray.children[0], scene.integrator), "");
+    EXPECT_NEAR(next.pdf, next.ray.direction.z / M_PI, 1e-6);
+    EXPECT_NEAR(next.scattered.x, 0.5, 1e-6);
+    EXPECT_EQ(next.survival, 1);
+    const TracedRay &up = *ray.children[0].traced;
+    EXPECT_FALSE(up.hits());
+    EXPECT_EQ(up.met->radiance, Spectrum(0));
+}
+
+TEST(InspectedPath, SaysWhyALightWasNotAsked) {
+    Scene scene = one_ray();
+    scene.integrator.type = "path";
+    const uint floor = add_material(scene, matte(0.5f));
+    add_triangle(scene, floor, {-6, -4, -4}, {6, -4, -4}, {0, 12, -4});
+    scene.lights = {point_light({0, 0, -8}, Spectrum(25))};
+    EXPECT_EQ(why_not_asked(light(traced(scene), 0)), "it is behind the surface: its cosine to the shading normal is -1");
+    scene.lights = {spot_light({0, 0, 0}, {0, 0, 1}, Spectrum(25), 30, 0.5)};
+    EXPECT_EQ(why_not_asked(light(traced(scene), 0)), "it sends nothing there, as a spot light does outside its cone");
+    scene.materials[floor].record = mirror(0.5f);
+    scene.lights = {point_light({0, 3, 0}, Spectrum(25))};
+    const TracedRay mirrored = traced(scene);
+    EXPECT_EQ(why_not_asked(light(mirrored, 0)), "the material scatters none of it back along the ray");
+    EXPECT_TRUE(std::isinf(mirrored.children.at(0).chosen->pdf)) << "a single direction";
+}
+
+TEST(InspectedPath, SaysWhyItDoesNotGoOn) {
+    Scene scene = mirror_and_wall();
+    scene.integrator.type = "path";
+    const auto why = [&](const TracedRay &ray) { return why_not_continued(ray, ray.children.at(0), scene.integrator); };
+    scene.integrator.max_depth = 1;
+    const TracedRay eye = traced(scene);
+    EXPECT_EQ(why(eye), "");
+    EXPECT_EQ(why(*eye.children[0].traced), "depth limit: integrator.max_depth is 1");
+    EXPECT_TRUE(eye.children[0].traced->lights.at(0).lights.empty()) << "where a path ends it asks for nothing";
+    scene.materials.at(0).record = scene.materials.at(1).record = matte(0);
+    EXPECT_EQ(why(traced(scene)), "the surface sends nothing there");
+    scene.materials.at(0).record = scene.materials.at(1).record = matte(0x1p-20f);
+    scene.integrator.roulette_depth = 1;
+    const TracedRay ended = traced(scene);
+    EXPECT_NE(why(ended).find(" is not below the chance to go on, 9.53674e-07; integrator.roulette_depth is 1"), std::string::npos) << why(ended);
+}
+
 /// At normal incidence between equal indices Fresnel's reflectance is 0.
 TEST(InspectedRay, TellsWeightZero) {
     Scene scene = one_ray();

@@ -47,6 +47,21 @@ bool is_ideal(const std::string &text) { return (flags_of(text) & MATERIAL_IDEAL
 
 }  // namespace
 
+/// Of every kind that has one.
+TEST(Bsdfs, IndicesWhoseRatiosLeaveFloatsAreRefused) {
+    for (const char *type : {"dielectric", "thin_dielectric", "plastic", "whitted"}) {
+        const auto error = [&](const std::string &eta) { return error_of(R"({"type": ")" + std::string(type) + R"(", "eta": )" + eta + "}"); };
+        const std::string why = " (ratios of indices are squared, which must fit into a float)";
+        EXPECT_EQ(error("1e14"), "material:1: /eta: must be from 0.01 to 100, got 1e+14" + why);
+        EXPECT_EQ(error("0.0099"), "material:1: /eta: must be from 0.01 to 100, got 0.0099" + why);
+        EXPECT_EQ(error("100"), "");
+        EXPECT_EQ(error("0.01"), type == std::string("plastic") ? "material:1: /eta: must be above 1" : "");
+    }
+    EXPECT_EQ(error_of(R"({"type": "conductor", "eta": [1, 2, 1e9], "k": 1})"),
+              "material:1: /eta: must be at most 10000, got 1e+09 (its fourth power must fit into a float)");
+    EXPECT_EQ(error_of(R"({"type": "conductor", "eta": 10000, "k": 10000})"), "");
+}
+
 TEST(Bsdfs, WhatCannotBeIsRefused) {
     EXPECT_EQ(error_of(R"({"type": "conductor", "metal": "gold", "roughness": 1.5})"), "material:1: /roughness: must be from 0 to 1");
     EXPECT_EQ(error_of(R"({"type": "plastic", "eta": 1})"), "material:1: /eta: must be above 1");

@@ -57,6 +57,9 @@ INSTANTIATE_TEST_SUITE_P(
                     BadInput{nff_viewpoint + "b 1 1 -1\n", "8: background: must not be negative, got -1"},
                     BadInput{nff_viewpoint + "l 1 1 1 1 1\n\n", "10: color of a light" + std::string(expected_number) + "the end of the file"},
                     BadInput{nff_viewpoint + "f 1 1 1 1 1 1 0.5 0\n", "8: index of refraction: must be positive where T is, got 0"},
+                    BadInput{
+                        nff_viewpoint + "f 1 1 1 1 1 1 0.5 1e9\n",
+                        "8: index of refraction: must be from 0.01 to 100, got 1e+09 (ratios of indices are squared, which must fit into a float)"},
                     BadInput{nff_viewpoint + "f 1 1 1 1 -1 1 0.5 1\n", "8: Ks of a material: must not be negative, got -1"}));
 
 INSTANTIATE_TEST_SUITE_P(

@@ -66,6 +66,8 @@ TEST_F(Mtl, Glass) {
         EXPECT_EQ(glass.eta, 1.33f);
     }
     EXPECT_EQ(material("illum 7\n").eta, 1.5f);
+    EXPECT_EQ(material("illum 7\nNi 1e9\n").eta, 1.5f);
+    EXPECT_EQ(warnings.at("material of glass whose Ni is not from 0.01 to 100: taken as 1.5"), 1u);
     EXPECT_EQ(whitted("illum 9\nd 0.25\n").transmission, Spectrum(0.75f));
     const Whitted without_fresnel = whitted("illum 6\nKs 0.25\n");
     EXPECT_EQ(without_fresnel.fresnel, 0u);

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "runtime/renderer.h"
+#include "runtime/selftest/oracle.h"
 #include "scene/compile.h"
 #include "scene/vectors.h"
 #include "tools/bench/disagreement.h"
@@ -88,6 +89,59 @@ TEST(TraversalRays, ShadowRaysEndAtTheLightAndOnlyWhereItShines) {
     for (const Ray &ray : sets[0].queue.rays) ASSERT_NEAR(glm::distance(ray.origin + ray.t_max * ray.direction, vec3(0, 3, 0)), 0, 1e-5);
     EXPECT_EQ(floor_rays({"shadow"}, {0, -3, 0})[0].queue.count(), 0u);
 }
+
+/// A primitive of some kind about (3, 4, 5), seen from the front by rays that meet it where a high precision has it.
+class RaysFromEveryKind : public testing::TestWithParam<const PrimitiveOracle *> {
+protected:
+    /// The closest thing that is surely there.
+    RayAnswers find(const RayQueue &queue) const {
+        RayAnswers answers;
+        for (const Ray &ray : queue.rays) {
+            Hit hit{0, 0, 0, NO_HIT};
+            for (const Root &root : oracle.roots(lane, ray))
+                if (root.sure && root.t > 0 && (hit.primitive == NO_HIT || root.t < hit.t)) hit = {float(root.t), 0, 0, 0};
+            answers.hits.push_back(hit), answers.instances.push_back(0);
+        }
+        return answers;
+    }
+    void make(InputSource &source) {
+        scene = Scene{};
+        scene.materials.push_back({"", {}});
+        while (scene.shapes.empty())
+            if (auto shape = oracle.make(source, {3, 4, 5}, 1)) scene.shapes.push_back(std::move(shape));
+        scene.shapes[0]->write_lane(0, 0, block.data());
+    }
+
+    const PrimitiveOracle &oracle = *GetParam();
+    Scene scene;
+    std::vector<std::byte> block = std::vector<std::byte>(oracle.kind().block_bytes);
+    const Lane lane{block.data(), 0};
+};
+
+TEST_P(RaysFromEveryKind, BeginOnIt) {
+    InputSource source(1);
+    std::size_t count = 0;
+    for (int i = 0; i < 8; ++i) {
+        make(source);
+        const Camera camera = make_camera({.name = "", .from = {3.1f, 4.2f, 12}, .at = {3, 4, 5}}, 64, 64);
+        const SceneGeometry geometry = geometry_of(scene);
+        for (const RaySet &set :
+             make_ray_sets({"diffuse", "shadow"}, camera, {3, 4, 15}, geometry, [&](const RayQueue &queue) { return find(queue); })) {
+            count += set.queue.count();
+            for (const Ray &ray : set.queue.rays) {
+                ASSERT_LT(absolute(oracle.distance(lane, ray.origin)), 5e-5);
+                ASSERT_LT(oracle.beyond_ends(lane, ray.origin), 5e-5);
+                ASSERT_LT(glm::distance(ray.origin, vec3(3, 4, 5)), 4);
+                ASSERT_GT(dot(oracle.normal_at(lane, ray.origin).n, Vector(ray.direction)) * oracle.distance(lane, ray.origin), 0)
+                    << "it leaves the side";
+            }
+        }
+    }
+    EXPECT_GT(count, 200u);
+}
+
+INSTANTIATE_TEST_SUITE_P(TraversalRays, RaysFromEveryKind, testing::ValuesIn(primitive_oracles()),
+                         [](const auto &info) { return std::string(info.param->kind().name); });
 
 TEST(TraversalRays, AreTheSameEachTime) {
     const auto a = floor_rays({"diffuse"}), b = floor_rays({"diffuse"});
