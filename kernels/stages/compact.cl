@@ -23,8 +23,8 @@ kernel void scan_counts(global uint *restrict chunk_counts, uint chunks, global 
     counts[row] = sum;
 }
 
-/// Work-items (chunk, row): list[row * stride + list_first ...] = base + slot of the live ones, in order. They are gathered first, without branches of
-/// which a processor would guess every other wrong.
+/// Work-items (chunk, row): list[row * stride + list_first ...] = base + slot of the live ones, in order. They are gathered first, without branches
+/// of which a processor would guess every other wrong.
 kernel void write_live(const global uchar *restrict alive, uint stride, uint count, const global uint *restrict chunk_counts, uint base,
                        uint list_first, global uint *restrict list) {
     const uint chunk = get_global_id(0), row = get_global_id(1);
