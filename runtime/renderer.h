@@ -21,8 +21,8 @@ struct RenderProgress {
 };
 
 struct RenderOptions {
-    uint batch = 32768;    ///< rays per wave
-    WatchSteps on_step{};  ///< of the integrator's loop: within batches, where the film is not whole and no observer could stop the render
+    uint batch = default_batch;  ///< rays per wave
+    WatchSteps on_step{};        ///< of the integrator's loop: within batches, where the film is not whole and no observer could stop the render
     StopRules stop{};
 };
 

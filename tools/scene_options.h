@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/wavefront/batch.h"
 #include "scene/formats/format.h"
 
 namespace CLI {
@@ -22,7 +23,7 @@ struct SceneOptions {
     std::vector<std::string> settings;  ///< "KEY=VALUE"
     std::vector<std::string> varied;    ///< the same, which count where other options say something else; no option
     std::optional<uint> spp, seed, max_depth, light_samples;
-    uint batch = 32768, threads = 0;
+    uint batch = default_batch, threads = 0;
     bool untrusted_device = false;  ///< take one that is known to have failed the self-test
     bool keep_places = false;       ///< of shapes in their files; no option
 };

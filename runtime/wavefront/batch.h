@@ -9,6 +9,10 @@ namespace brandung {
 
 class Aovs;
 
+/// Rays of a wave: many enough that launches are few (twice as many as 32768 took 4 to 5 % less time in boxes, on two cores), and so few that what
+/// they know stays in a processor's last cache.
+inline constexpr uint default_batch = 65536;
+
 /// A list of pixels (x in the lower 16 bits, y in the upper) and a range of their samples.
 struct Batch {
     BatchParams params;

@@ -80,7 +80,7 @@ TEST(CliBench, ComparesWithAnEarlierOne) {
     expect_success(second);
     EXPECT_NE(second.out.find("1000000000.00"), std::string::npos) << second.out;
     EXPECT_NE(second.out.find(" 0.000 "), std::string::npos) << "a ratio of next to nothing";
-    EXPECT_NE(second.out.find("\nbatch differs: before 32768, now 1024\n"), std::string::npos) << second.out;
+    EXPECT_NE(second.out.find("\nbatch differs: before 65536, now 1024\n"), std::string::npos) << second.out;
     const Finished other = bench(folder, {"--compare", file, "--spp", "4"});
     EXPECT_EQ(other.status, 1);
     EXPECT_EQ(other.err, "brandung: " + file + ": is of other work, which cannot be compared: spp was 2 and is 4\n");

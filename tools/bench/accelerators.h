@@ -32,7 +32,7 @@ struct AcceleratorRow {
 struct AcceleratorTrial {
     std::vector<std::string> accelerators;  ///< names
     uint runs = 5;
-    uint batch = 32768;
+    uint batch = default_batch;
     std::size_t most_rays = SIZE_MAX;  ///< of each use
     std::size_t random_rays = 0;       ///< that are traced beside the render's
     bool check = false;                ///< whether every ray goes through `none` too

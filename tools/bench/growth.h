@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runtime/accelerators/ray_tracing.h"
+#include "runtime/wavefront/batch.h"
 
 namespace brandung {
 
@@ -26,7 +27,7 @@ struct GrowthTrial {
     std::vector<uint> objects;
     std::size_t rays = 65536;
     uint runs = 3;
-    uint batch = 32768;
+    uint batch = default_batch;
     std::function<void(const std::string &what)> tell;
     std::function<bool()> goes_on;  ///< false ends it
 };

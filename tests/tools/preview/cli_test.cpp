@@ -110,7 +110,7 @@ TEST_F(PreviewOptions, ThePageGoesOnAsLongAsItWasTold) {
         picture = answer_to(port, "/picture.png").status;
         return SIGINT;
     };
-    const Finished finished = run({"--preview", "web:0", "--preview-hold", "forever"}, {.signal_when = look});
+    const Finished finished = run({"--preview", "web:0", "--preview-hold", "forever", "--batch", "32768"}, {.signal_when = look});
     EXPECT_EQ(finished.status, 0) << "the picture was complete";
     EXPECT_EQ(lines_of(finished.err).size(), 1u) << finished.err;
     EXPECT_EQ(picture, 200);
