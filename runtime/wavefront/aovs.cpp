@@ -85,8 +85,8 @@ Aovs::Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, co
             numbers_.push_back({kind, Kernel(device, file_of(kind), "record_number", on_device.lists()), Bands<uint>(device, window, largest)});
         if (kind.what == AovKind::count || kind.what == AovKind::error) of_film_.push_back(&kind);
     }
-    if (!means_.empty() && !camera_kinds()[camera.kind].sees_everywhere)
-        gaps_.emplace(Gaps{Kernel(device, "kernels/stages/spread_values.cl", "spread_values", Sources()), Buffer<vec3>(device, batch)});
+    if (!means_.empty() && (compiled.groups_hits() || !camera_kinds()[camera.kind].sees_everywhere))
+        spreading_.emplace(Spreading{Kernel(device, "kernels/stages/spread_values.cl", "spread_values", Sources()), Buffer<vec3>(device, batch)});
     if (!means_.empty()) add_.emplace(device, "kernels/stages/add_aov.cl", "add_aov", Sources());
     if (!means_.empty() && splats(scene.film)) add_splats_.emplace(device, "kernels/stages/add_aov_splats.cl", "add_aov_splats", Sources());
 }
@@ -111,8 +111,8 @@ void Aovs::clear_values() {
 void Aovs::record(const Batch &batch, const DeviceScene &scene, const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances,
                   const Buffer<SurfacePoint> &points, const Buffer<Tints> &tints) {
     for (Mean &mean : means_) {
-        mean.record(wave.count, scene, wave, wave.level.rays, hits, points, tints, gaps_ ? gaps_->listed : mean.values);
-        if (gaps_) gaps_->spread(wave.count, wave, gaps_->listed, data_dependent(mean.values));
+        mean.record(wave.count, scene, wave, wave.level.rays, hits, points, tints, spreading_ ? spreading_->listed : mean.values);
+        if (spreading_) spreading_->spread(wave.count, wave, spreading_->listed, data_dependent(mean.values));
     }
     for (Number &number : numbers_)
         for (Band<uint> &band : number.numbers)
@@ -155,7 +155,7 @@ std::vector<PictureChannel> Aovs::develop(const Film &film) const {
 }
 
 std::size_t Aovs::bytes() const {
-    std::size_t bytes = gaps_ ? gaps_->listed.bytes() : 0;
+    std::size_t bytes = spreading_ ? spreading_->listed.bytes() : 0;
     for (const Number &number : numbers_) bytes += number.numbers.bytes();
     for (const Mean &mean : means_) bytes += mean.values.bytes() + mean.sums.bytes();
     return bytes;
