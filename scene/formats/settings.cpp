@@ -37,8 +37,9 @@ void read_filter(const Parameters &parameters, FilmSettings &film) {
     if (film.splat && filter_params(kind, film.filter_radius).negative_tail > 0)
         parameters.fail(
             "splat", fmt::format("needs a filter that is nowhere negative, since the weights of few samples of {} may sum up to nothing", kind.name));
-    if (film.splat && film.filter_radius > max_splat_radius)
-        parameters.fail("splat", fmt::format("takes filters of at most {:g} pixels, got {:g}", max_splat_radius, film.filter_radius));
+    if (splats(film) && (film.filter_radius < min_splat_radius || film.filter_radius > max_splat_radius))
+        parameters.fail("filter_radius", fmt::format("must be from {:g} to {:g} pixels where samples are splatted, got {:g}", min_splat_radius,
+                                                     max_splat_radius, film.filter_radius));
 }
 
 void read_crop(const Parameters &parameters, FilmSettings &film) {
