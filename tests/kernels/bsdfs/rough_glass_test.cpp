@@ -224,8 +224,8 @@ TEST(RoughDielectric, MakesNoLightAtAnyRatioOfIndices) {
             EXPECT_NEAR(albedo(interface, cosine), 1, 0.005) << testing::PrintToString(interface) << ", cosine " << cosine;
 }
 
-/// Of any angle, and of materials of other kinds, whose words may be any. At grazing angles nearly all light is lost between media that are nearly
-/// alike, so that facets are seldom chosen and what they send on counts the more.
+/// Of any angle, and of materials of other kinds, whose words may be any. Facets are drawn with a chance that is never small, though at grazing
+/// angles nearly all of their light may be lost.
 TEST(RoughDielectric, IsFinite) {
     for (const Interface &interface : interfaces({0.01, 0.05, 0.3, 1}, {0.1, 1 / 1.5, 0.9999, 1.0001, 1.5, 10}))
         for (const double cosine : {1.0, 0.5, 1e-3, 1e-6, 1e-20}) {
@@ -236,7 +236,7 @@ TEST(RoughDielectric, IsFinite) {
                     for (const float z : {0.0f, 0x1.fffffep-1f}) extremes.emplace_back(x, y, z);
             for (const BsdfSample &sample : interface.bsdf().sample({direction(cosine)}, extremes)) {
                 ASSERT_TRUE(std::isfinite(sample.wi.x + sample.wi.y + sample.wi.z));
-                ASSERT_TRUE(sample.weight.x >= 0 && sample.weight.x <= 100 * std::max(1.0, interface.eta * interface.eta))
+                ASSERT_TRUE(sample.weight.x >= 0 && sample.weight.x <= 20 * std::max(1.0, interface.eta * interface.eta))
                     << sample.weight.x << " at " << cosine << " to " << sample.wi.z << " of density " << sample.pdf;
                 ASSERT_TRUE(sample.pdf >= 0) << sample.pdf;
             }
