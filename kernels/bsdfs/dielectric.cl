@@ -58,6 +58,21 @@ typedef struct {
     float value, pdf;
 } Lobes;
 
+/// How much the facets that hide refracted light on one side have to do with those that hide it on the other: 0 where it is the same light that is
+/// hidden, 1 where one says nothing of the other. Light that is not bent passes all facets as if they were not there, and would be charged twice for
+/// what is hidden from it on its way. Of azimuths of mirrored light: van Ginneken et al., Applied Optics 37(1), 1998; here of the bend.
+FUNCTION float masking_apart(vec3 wo, vec3 wi) {
+    const vec3 bend = plus(wo, wi);
+    const float x = 4.41f * sqrt(dot3(bend, bend));
+    return x / (x + 1.0f);
+}
+
+/// Of the facets that are visible from wo, the part whose light leaves on the other side, as visible_from_both; the same where `apart` is 1.
+FUNCTION float refracted_by_visible(vec2 areas, float wo_z, float wi_z, float apart) {
+    const float a = areas.x * wi_z, b = areas.y * wo_z;
+    return a / fma(apart, minimum(a, b) - wo_z * wi_z, maximum(a, b));
+}
+
 /// Light that one facet sends from wi to wo.
 FUNCTION Lobes facet_lobes(Dielectric d, float eta, vec3 wo, vec3 wi) {
     const Microfacets facets = {d.alpha, d.distribution};
@@ -74,7 +89,7 @@ FUNCTION Lobes facet_lobes(Dielectric d, float eta, vec3 wo, vec3 wi) {
     const bool faces = (cosine > 0.0f) & (mirrors | (cosine_beyond > 0.0f));
     Lobes r;
     r.pdf = faces ? facet_density(facets, h) / areas.x * (mirrors ? mirrored : refracted) : 0.0f;
-    r.value = faces ? r.pdf * visible_from_both(areas, wo.z, above.z) : 0.0f;
+    r.value = faces ? r.pdf * refracted_by_visible(areas, wo.z, above.z, mirrors ? 1.0f : masking_apart(wo, wi)) : 0.0f;
     return r;
 }
 

@@ -43,17 +43,20 @@ public:
 
     /// Of what the facet mirrors and refracts, the part that no other facet meets.
     double part_that_leaves(double eta) const {
-        const double square = 1 - eta * eta * (1 - at_facet_) * (1 + at_facet_);
+        const double sine_squared = (1 - at_facet_) * (1 + at_facet_), square = 1 - eta * eta * sine_squared;
         if (square <= 0) return mirrored_;
         const double beyond = std::sqrt(square), s = (eta * at_facet_ - beyond) / (eta * at_facet_ + beyond);
         const double p = (at_facet_ - eta * beyond) / (at_facet_ + eta * beyond), reflectance = (s * s + p * p) / 2;
-        return reflectance * mirrored_ + (1 - reflectance) * part((beyond - eta * at_facet_) * z_ + eta * cosine_);
+        const double bend = std::sqrt((1 - eta) * (1 - eta) * sine_squared + (at_facet_ - beyond) * (at_facet_ - beyond)), x = 4.41 * bend;
+        return reflectance * mirrored_ + (1 - reflectance) * part((beyond - eta * at_facet_) * z_ + eta * cosine_, x / (x + 1));
     }
 
 private:
-    /// Of light that goes on at this cosine, below 0 to where it meets the surface again.
-    double part(double cosine) const {
-        return cosine > 0 ? area_ * also_visible(cosine_, area_, cosine, visible_area(facets_, std::min(cosine, 1.0))) : 0;
+    /// Of light that goes on at this cosine, below 0 to where it meets the surface again. `apart`: masking_apart of kernels/bsdfs/dielectric.cl.
+    double part(double cosine, double apart = 1) const {
+        if (cosine <= 0) return 0;
+        const double a = area_ * cosine, b = visible_area(facets_, std::min(cosine, 1.0)) * cosine_;
+        return a / (std::max(a, b) + apart * (std::min(a, b) - cosine * cosine_));
     }
 
     const Facets &facets_;
