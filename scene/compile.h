@@ -81,6 +81,7 @@ struct CompileOptions {
     const AcceleratorKind *accelerator = nullptr;  ///< null: that which the scene asks for
     WatchAccelerator watch{};
     ArenaLimit limit{};
+    bool computes_losses = true;  ///< else tables of what rough dielectrics' facets take from each other are 0, for who only asks what there is
 };
 
 /// Throws SceneError if the scene is too big, or names an unknown accelerator.

@@ -122,18 +122,20 @@ LossTable loss_table_of(const Facets &facets) {
     return table;
 }
 
-std::vector<std::byte> with_losses(std::vector<Material> materials, const std::vector<bool> &is_used) {
-    std::vector<LossTable> tables;
+std::vector<std::byte> with_losses(std::vector<Material> materials, const std::vector<bool> &is_used, bool computes) {
+    std::vector<Facets> facets;
     std::map<std::pair<float, uint>, std::size_t> places;
     for (std::size_t m = 0; m < is_used.size(); ++m) {
         if (!is_used[m] || (materials[m].flags & MATERIAL_LOSES) == 0) continue;
         auto view = view_of<Dielectric>(materials[m].words);
-        const auto [place, is_new] = places.try_emplace({view.alpha, view.distribution}, tables.size());
-        if (is_new) tables.push_back(loss_table_of({view.alpha, view.distribution}));
+        const auto [place, is_new] = places.try_emplace({view.alpha, view.distribution}, facets.size());
+        if (is_new) facets.push_back({view.alpha, view.distribution});
         const std::size_t bytes = (materials.size() - m) * sizeof(Material) - offsetof(Material, words) + place->second * sizeof(LossTable);
         view.losses = static_cast<uint>(bytes / sizeof(uint));
         write_words(view, materials[m].words);
     }
+    std::vector<LossTable> tables(facets.size());
+    if (computes) tbb::parallel_for(std::size_t{0}, tables.size(), [&](std::size_t t) { tables[t] = loss_table_of(facets[t]); });
     std::vector<std::byte> records;
     const auto add = [&](std::span<const std::byte> bytes) { records.insert(records.end(), bytes.begin(), bytes.end()); };
     add(std::as_bytes(std::span(materials))), add(std::as_bytes(std::span(tables)));
