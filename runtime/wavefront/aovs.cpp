@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "kernels/filters/splat.h"
+#include "scene/filters/filter.h"
+#include "scene/formats/limits.h"
 
 namespace brandung {
 namespace {
@@ -32,6 +35,9 @@ float scale_of_lengths(float extent, const CameraDescription &camera, PictureSiz
 }
 
 constexpr float scale_of_units = 0x1p32f;
+/// Sums of what is splatted, which has units: a sample counts in so many pixels at most, and a pixel so many of its neighbours' samples.
+constexpr float most_splats = (2 * max_splat_radius + 1) * (2 * max_splat_radius + 1);
+static_assert(scale_of_units * most_splats * max_samples < 0x1p63f);
 constexpr double weight_unit = 1.0 / SPLAT_UNIT;
 
 float scale_of(const AovKind &kind, float extent, const CameraDescription &camera, PictureSize size) {
@@ -87,8 +93,10 @@ Aovs::Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, co
     }
     if (!means_.empty() && (compiled.groups_hits() || !camera_kinds()[camera.kind].sees_everywhere))
         spreading_.emplace(Spreading{Kernel(device, "kernels/stages/spread_values.cl", "spread_values", Sources()), Buffer<vec3>(device, batch)});
-    if (!means_.empty()) add_.emplace(device, "kernels/stages/add_aov.cl", "add_aov", Sources());
-    if (!means_.empty() && splats(scene.film)) add_splats_.emplace(device, "kernels/stages/add_aov_splats.cl", "add_aov_splats", Sources());
+    const auto is_splatted = [&](const Mean &mean) { return mean.kind.what == AovKind::filtered && splats(scene.film); };
+    if (!std::all_of(means_.begin(), means_.end(), is_splatted)) add_.emplace(device, "kernels/stages/add_aov.cl", "add_aov", Sources());
+    if (std::any_of(means_.begin(), means_.end(), is_splatted))
+        add_splats_.emplace(device, "kernels/stages/add_aov_splats.cl", "add_aov_splats", Sources());
 }
 
 void Aovs::begin(const CameraDescription &camera) {
