@@ -43,6 +43,15 @@ TEST(FilmSettings, FiltersHaveRadiiOfTheirOwn) {
     EXPECT_TRUE(read_text(plain_scene, {"film.filter=tent", "film.filter_radius=0.5", "film.splat=true"}).film.splat);
 }
 
+TEST(FilmSettings, WarnOfSplatsOfTheBox) {
+    const auto warnings = [](const std::vector<std::string> &options) { return read_text(plain_scene, options).warning_places; };
+    const std::map<std::string, std::string> found = warnings({"film.splat=true"}), before = warnings({});
+    ASSERT_EQ(found.size(), before.size() + 1);
+    EXPECT_TRUE(found.at("film.splat has no effect with the filter box").ends_with(".json: /film/splat (set on the command line)"));
+    EXPECT_EQ(warnings({"film.splat=true", "film.filter=tent"}), before);
+    EXPECT_EQ(warnings({"film.splat=false"}), before);
+}
+
 TEST(FilmSettings, ReadsCropExposureAndTone) {
     const FilmSettings film = read_text(plain_scene, {"film.crop=[1,2,64,48]", "film.exposure=auto", "film.tone=filmic"}).film;
     EXPECT_EQ(film.window(), (Window{1, 2, 64, 48}));
