@@ -32,7 +32,7 @@ uint Schedule::next_pass() const {
 void Schedule::end_pass(uint samples, double seconds, const std::optional<Noise> &noise) {
     done_ += samples, seconds_ = seconds;
     if (!first_) first_ = Point{done_, seconds};
-    if (!noise || done_ < enough_for_noise) return;
+    if (!noise || !std::isfinite(noise->relmse) || !std::isfinite(noise->high) || done_ < enough_for_noise) return;
     noise_ = noise;
     if (noise->relmse == 0 || (mark_ && done_ < 2 * mark_->samples)) return;
     if (mark_) slope_ = std::clamp(std::log(mark_->value / noise->relmse) / std::log(done_ / double(mark_->samples)), flattest, steepest);

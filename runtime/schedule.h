@@ -23,7 +23,7 @@ public:
     uint next_pass() const;
     /// The first batch, for which kernels are compiled, has ended so many seconds after the beginning: from here the time of the rules counts.
     void start_clock(double seconds) { start_ = seconds; }
-    /// After a pass of so many samples, when the render has taken so many seconds; `noise` as known.
+    /// After a pass of so many samples, when the render has taken so many seconds; `noise` as known: one that is not finite is not.
     void end_pass(uint samples, double seconds, const std::optional<Noise> &noise);
     /// Whether the next decision needs the noise.
     bool needs_noise() const { return rules_.error.has_value(); }

@@ -62,7 +62,7 @@ CompiledScene compile(const Scene &scene, const CompileOptions &options) {
     if (scene.integrator.type == "whitted") expect_whitted(scene);
     Arena arena(compiled.arena);
     add_primitives(scene, options, compiled, arena);
-    add_materials(scene, compiled, arena);
+    add_materials(scene, options, compiled, arena);
     add_lights(scene, compiled, arena);
     expect_to_fit(scene, compiled, options.limit);
     if (options.kinds == Kinds::all) use_everything(scene, compiled, arena);

@@ -64,6 +64,8 @@ struct CompiledScene {
 
     /// Words of a ray's or hit's entry in arrays of instances: with its time where some move.
     uint place_words() const { return instances ? moves ? 2 : 1 : 0; }
+    /// Whether hits are brought together by their kind of BSDF, so that the list of a wave's rays is in another order than they.
+    bool groups_hits() const { return paths && bsdfs.size() > 1; }
 };
 
 /// Is told which part of an accelerator is built, from 0 to 1, now and then, by any thread, but one at a time.
@@ -80,6 +82,7 @@ struct CompileOptions {
     const AcceleratorKind *accelerator = nullptr;  ///< null: that which the scene asks for
     WatchAccelerator watch{};
     ArenaLimit limit{};
+    bool computes_losses = true;  ///< else tables of what rough dielectrics' facets take from each other are 0, for who only asks what there is
 };
 
 /// Throws SceneError if the scene is too big, or names an unknown accelerator.

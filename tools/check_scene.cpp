@@ -27,7 +27,7 @@ nlohmann::json report_of(const Options &options) {
     chosen_camera(scene, options.camera);
     integrator_of(scene);
     const auto watch = [&](const AcceleratorKind &kind, double part) { progress.show_building(kind, part); };
-    const CompiledScene compiled = compile(scene, {.watch = watch});
+    const CompiledScene compiled = compile(scene, {.watch = watch, .computes_losses = false});
     return {{"file", scene.file},
             {"scene", scene_contents(scene, compiled)},
             {"warnings", compiled.warnings},

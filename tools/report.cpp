@@ -51,6 +51,11 @@ std::vector<std::string> features_in_use(const Job &job) {
     return used;
 }
 
+std::string why_no_environment(const CompiledScene &compiled) {
+    if (!compiled.paths) return "only paths ask for the light of a picture as background";
+    return compiled.header.background_texture == 0 ? "the background is no picture" : "the picture as background is black, or no light is asked for";
+}
+
 /// Kinds that the program knows and this scene has none of.
 std::vector<Skipped> kinds_not_in_use(const CompiledScene &compiled) {
     std::vector<Skipped> skipped;
@@ -62,8 +67,8 @@ std::vector<Skipped> kinds_not_in_use(const CompiledScene &compiled) {
     const uint environment = kind_number(light_kinds(), "environment");
     for (uint kind = 0; kind < light_kinds().size(); ++kind)
         if (std::find(compiled.lights.begin(), compiled.lights.end(), kind) == compiled.lights.end())
-            skipped.push_back({std::string("light ") + light_kinds()[kind].name,
-                               kind == environment ? "only paths ask for the light of a picture as background" : "the scene has none"});
+            skipped.push_back(
+                {std::string("light ") + light_kinds()[kind].name, kind == environment ? why_no_environment(compiled) : "the scene has none"});
     if (!compiled.emissive_instances)
         skipped.push_back(
             {"emissive shapes of instances as lights", compiled.instance_count == 0 ? "the scene has no instances" : "no light is a shape of one"});

@@ -39,14 +39,14 @@ FUNCTION BsdfValue conductor_eval(const global Material *m, BsdfPoint point, vec
     const FacetReflection facet = reflected_by_facets(facets, point.wo, wi);
     const Spectrum single = scaled(conductor_fresnel(facet.cosine, c.eta, c.k), facet.value);
     const Spectrum value = plus(single, scaled(c.multiple, again * conductor_lost(m, c, wi.z) * wi.z));
-    const float pdf = (1.0f - again) * facet.pdf + again * shadowed_density(c.alpha, wi.z);
+    const float pdf = (1.0f - again) * facet.pdf + again * shadowed_density(c.alpha * c.alpha, wi.z);
     return above_surface((wi.z > 0.0f) & is_rough(c.alpha), times(value, tinted(c.specular, point.specular_tint)), pdf);
 }
 
 FUNCTION BsdfSample conductor_sample(const global Material *m, BsdfPoint point, vec2 u, float choice) {
     const Conductor c = conductor_view(m);
     const int again = choice < conductor_lost(m, c, point.wo.z);
-    const vec3 wi = where(again, shadowed_direction(c.alpha, u), mirrored_by_facet(conductor_facets(c), point.wo, u));
+    const vec3 wi = where(again, shadowed_direction(c.alpha * c.alpha, u), mirrored_by_facet(conductor_facets(c), point.wo, u));
     const Spectrum ideal = times(conductor_fresnel(point.wo.z, c.eta, c.k), tinted(c.specular, point.specular_tint));
     return sample_or_mirror(!is_rough(c.alpha), ideal, point.wo, sample_towards(wi, conductor_eval(m, point, wi)));
 }

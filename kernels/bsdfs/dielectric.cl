@@ -28,9 +28,10 @@ FUNCTION float facet_reflectance(float cosine, float cosine_squared_beyond, floa
 
 /// How the light that several facets meet is divided.
 typedef struct {
-    float loss;                               ///< part of the light along wo
-    float mirrored;                           ///< part of `loss` that comes back
-    float inverse_mean, inverse_mean_beyond;  ///< of the losses on either side, over π
+    float loss;               ///< part of the light along wo
+    float chance;             ///< of these lobes when a direction is drawn: at most 3/4, as of the rest some goes nowhere
+    float mirrored;           ///< part of `loss` that comes back
+    float mean, mean_beyond;  ///< of the losses on either side
     Losses losses, losses_beyond;
 } Diffusion;
 
@@ -41,17 +42,36 @@ FUNCTION Diffusion diffusion_of(const global Material *m, Dielectric d, float et
     const float ratio = eta > 1.0f ? eta : 1.0f / eta, passes = 1.0f - (ratio - 1.0f) / fma(1.00071f, ratio, 4.08567f);
     Diffusion r;
     r.losses = losses_of(m, d.alpha, eta), r.losses_beyond = losses_of(m, d.alpha, 1.0f / eta);
-    const float mean = mean_loss(r.losses), mean_beyond = mean_loss(r.losses_beyond), here = eta * eta * mean;
-    r.loss = is_smooth(d, eta) ? 0.0f : loss(r.losses, cosine);
-    r.mirrored = 1.0f - passes * minimum(here, mean_beyond) / here;
-    r.inverse_mean = INVERSE_PI / mean, r.inverse_mean_beyond = INVERSE_PI / mean_beyond;
+    r.mean = mean_loss(r.losses), r.mean_beyond = mean_loss(r.losses_beyond);
+    const float here = eta * eta * r.mean;
+    r.loss = is_smooth(d, eta) ? 0.0f : loss(r.losses, cosine), r.chance = minimum(r.loss, 0.75f);
+    r.mirrored = 1.0f - passes * minimum(here, r.mean_beyond) / here;
     return r;
 }
+
+/// Width of the directions drawn from a lobe whose losses have this mean. Where media are nearly alike these are next to nothing but at the most
+/// grazing angles. Losses that fall with the cosine z are at most mean / z², so that a sample's weight is at most some logarithm.
+FUNCTION float lobe_width(float mean) { return 0.5f * mean; }
 
 /// Of both kinds of lobes, for radiance without the material's factors and eta²; pdf too is that of `sample`.
 typedef struct {
     float value, pdf;
 } Lobes;
+
+/// How much the facets that hide refracted light on one side have to do with those that hide it on the other: 0 where it is the same light that is
+/// hidden, 1 where one says nothing of the other. Light that is not bent passes all facets as if they were not there, and would be charged twice for
+/// what is hidden from it on its way. Of azimuths of mirrored light: van Ginneken et al., Applied Optics 37(1), 1998; here of the bend.
+FUNCTION float masking_apart(vec3 wo, vec3 wi) {
+    const vec3 bend = plus(wo, wi);
+    const float x = 4.41f * sqrt(dot3(bend, bend));
+    return x / (x + 1.0f);
+}
+
+/// Of the facets that are visible from wo, the part whose light leaves on the other side, as visible_from_both; the same where `apart` is 1.
+FUNCTION float refracted_by_visible(vec2 areas, float wo_z, float wi_z, float apart) {
+    const float a = areas.x * wi_z, b = areas.y * wo_z;
+    return a / fma(apart, minimum(a, b) - wo_z * wi_z, maximum(a, b));
+}
 
 /// Light that one facet sends from wi to wo.
 FUNCTION Lobes facet_lobes(Dielectric d, float eta, vec3 wo, vec3 wi) {
@@ -69,18 +89,19 @@ FUNCTION Lobes facet_lobes(Dielectric d, float eta, vec3 wo, vec3 wi) {
     const bool faces = (cosine > 0.0f) & (mirrors | (cosine_beyond > 0.0f));
     Lobes r;
     r.pdf = faces ? facet_density(facets, h) / areas.x * (mirrors ? mirrored : refracted) : 0.0f;
-    r.value = faces ? r.pdf * visible_from_both(areas, wo.z, above.z) : 0.0f;
+    r.value = faces ? r.pdf * refracted_by_visible(areas, wo.z, above.z, mirrors ? 1.0f : masking_apart(wo, wi)) : 0.0f;
     return r;
 }
 
 /// The same with what several facets send.
 FUNCTION Lobes all_lobes(Dielectric d, Diffusion diffusion, float eta, vec3 wo, vec3 wi) {
     const bool mirrors = wi.z > 0.0f;
-    const float cosine = fabs(wi.z), part = diffusion.loss * (mirrors ? diffusion.mirrored : 1.0f - diffusion.mirrored);
+    const float cosine = fabs(wi.z), share = mirrors ? diffusion.mirrored : 1.0f - diffusion.mirrored;
+    const float mean = mirrors ? diffusion.mean : diffusion.mean_beyond;
     const float loss_of_wi = loss(where(mirrors, diffusion.losses, diffusion.losses_beyond), cosine);
     Lobes r = facet_lobes(d, eta, wo, wi);
-    r.value = fma(part * cosine, loss_of_wi * (mirrors ? diffusion.inverse_mean : diffusion.inverse_mean_beyond), r.value);
-    r.pdf = fma(part, shadowed_density(d.alpha, cosine), (1.0f - diffusion.loss) * r.pdf);
+    r.value = fma(diffusion.loss * share * cosine, loss_of_wi * INVERSE_PI / mean, r.value);
+    r.pdf = fma(diffusion.chance * share, shadowed_density(lobe_width(mean), cosine), (1.0f - diffusion.chance) * r.pdf);
     return r;
 }
 
@@ -117,10 +138,11 @@ FUNCTION FacetSample facet_sample(Dielectric d, float eta, vec3 wo, vec2 u, floa
 /// have that light.
 FUNCTION vec3 dielectric_direction(const global Material *m, Dielectric d, float eta, vec3 wo, vec2 u, float choice) {
     const Diffusion diffusion = diffusion_of(m, d, eta, wo.z);
-    const bool is_diffuse = HAS_LOSSES && choice < diffusion.loss;
-    const float rest = HAS_LOSSES ? minimum((choice - diffusion.loss) / (1.0f - diffusion.loss), 0.99999994f) : choice;
+    const bool is_diffuse = HAS_LOSSES && choice < diffusion.chance;
+    const float rest = HAS_LOSSES ? minimum((choice - diffusion.chance) / (1.0f - diffusion.chance), 0.99999994f) : choice;
     const FacetSample facet = facet_sample(d, eta, wo, u, rest);
-    const vec3 up = shadowed_direction(d.alpha, u), diffuse = where(choice < diffusion.loss * diffusion.mirrored, up, negate(up));
+    const bool stays = choice < diffusion.chance * diffusion.mirrored;
+    const vec3 up = shadowed_direction(lobe_width(stays ? diffusion.mean : diffusion.mean_beyond), u), diffuse = where(stays, up, negate(up));
     const bool leaves = facet.mirrors ? facet.wi.z > 0.0f : facet.wi.z < 0.0f;
     return where(is_diffuse, diffuse, where(leaves, facet.wi, make3(1.0f, 0.0f, 0.0f)));
 }

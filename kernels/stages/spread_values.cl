@@ -1,4 +1,4 @@
-// Values in the order of a list of rays, to the rays' own places: where some slots have no ray.
+// Values in the order of a list of rays, to the rays' own places: where some slots have no ray, or the list is in another order.
 #include "kernels/core/items.cl"
 #include "kernels/core/scene.cl"
 

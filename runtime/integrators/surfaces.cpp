@@ -26,7 +26,7 @@ Surfaces::Surfaces(const IntegratorJob &job, bool bounces, std::size_t tallies)
     if (bounces) intersect_apart_.emplace(tracing_kernel(job, false, &Traversal::closest_hit));
     if (job.compiled.transmits) media.emplace(job);
     if (job.compiled.chooses) choices.emplace(job);
-    if (job.compiled.paths && job.compiled.bsdfs.size() > 1) grouping.emplace(job);
+    if (job.compiled.groups_hits()) grouping.emplace(job);
     if (job.compiled.tints) pictures.emplace(job);
 }
 

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "kernels/filters/splat.h"
+#include "scene/filters/filter.h"
+#include "scene/formats/limits.h"
 
 namespace brandung {
 namespace {
@@ -32,6 +35,9 @@ float scale_of_lengths(float extent, const CameraDescription &camera, PictureSiz
 }
 
 constexpr float scale_of_units = 0x1p32f;
+/// Sums of what is splatted, which has units: a sample counts in so many pixels at most, and a pixel so many of its neighbours' samples.
+constexpr float most_splats = (2 * max_splat_radius + 1) * (2 * max_splat_radius + 1);
+static_assert(scale_of_units * most_splats * max_samples < 0x1p63f);
 constexpr double weight_unit = 1.0 / SPLAT_UNIT;
 
 float scale_of(const AovKind &kind, float extent, const CameraDescription &camera, PictureSize size) {
@@ -85,10 +91,12 @@ Aovs::Aovs(Device &device, const Scene &scene, const CompiledScene &compiled, co
             numbers_.push_back({kind, Kernel(device, file_of(kind), "record_number", on_device.lists()), Bands<uint>(device, window, largest)});
         if (kind.what == AovKind::count || kind.what == AovKind::error) of_film_.push_back(&kind);
     }
-    if (!means_.empty() && !camera_kinds()[camera.kind].sees_everywhere)
-        gaps_.emplace(Gaps{Kernel(device, "kernels/stages/spread_values.cl", "spread_values", Sources()), Buffer<vec3>(device, batch)});
-    if (!means_.empty()) add_.emplace(device, "kernels/stages/add_aov.cl", "add_aov", Sources());
-    if (!means_.empty() && splats(scene.film)) add_splats_.emplace(device, "kernels/stages/add_aov_splats.cl", "add_aov_splats", Sources());
+    if (!means_.empty() && (compiled.groups_hits() || !camera_kinds()[camera.kind].sees_everywhere))
+        spreading_.emplace(Spreading{Kernel(device, "kernels/stages/spread_values.cl", "spread_values", Sources()), Buffer<vec3>(device, batch)});
+    const auto is_splatted = [&](const Mean &mean) { return mean.kind.what == AovKind::filtered && splats(scene.film); };
+    if (!std::all_of(means_.begin(), means_.end(), is_splatted)) add_.emplace(device, "kernels/stages/add_aov.cl", "add_aov", Sources());
+    if (std::any_of(means_.begin(), means_.end(), is_splatted))
+        add_splats_.emplace(device, "kernels/stages/add_aov_splats.cl", "add_aov_splats", Sources());
 }
 
 void Aovs::begin(const CameraDescription &camera) {
@@ -111,8 +119,8 @@ void Aovs::clear_values() {
 void Aovs::record(const Batch &batch, const DeviceScene &scene, const Wave &wave, const Buffer<Hit> &hits, const Buffer<uint> &instances,
                   const Buffer<SurfacePoint> &points, const Buffer<Tints> &tints) {
     for (Mean &mean : means_) {
-        mean.record(wave.count, scene, wave, wave.level.rays, hits, points, tints, gaps_ ? gaps_->listed : mean.values);
-        if (gaps_) gaps_->spread(wave.count, wave, gaps_->listed, data_dependent(mean.values));
+        mean.record(wave.count, scene, wave, wave.level.rays, hits, points, tints, spreading_ ? spreading_->listed : mean.values);
+        if (spreading_) spreading_->spread(wave.count, wave, spreading_->listed, data_dependent(mean.values));
     }
     for (Number &number : numbers_)
         for (Band<uint> &band : number.numbers)
@@ -155,7 +163,7 @@ std::vector<PictureChannel> Aovs::develop(const Film &film) const {
 }
 
 std::size_t Aovs::bytes() const {
-    std::size_t bytes = gaps_ ? gaps_->listed.bytes() : 0;
+    std::size_t bytes = spreading_ ? spreading_->listed.bytes() : 0;
     for (const Number &number : numbers_) bytes += number.numbers.bytes();
     for (const Mean &mean : means_) bytes += mean.values.bytes() + mean.sums.bytes();
     return bytes;

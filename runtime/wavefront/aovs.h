@@ -47,8 +47,9 @@ private:
         Buffer<vec3> values;  ///< by slot
         Bands<AovPixel> sums;
     };
-    /// Of cameras that do not see everywhere: values are recorded in the order of the rays that there are.
-    struct Gaps {
+    /// Values are recorded in the order of the list of rays, which is not that of their slots where a camera does not see everywhere, or hits are
+    /// grouped by their kind of BSDF.
+    struct Spreading {
         Kernel spread;
         Buffer<vec3> listed;
     };
@@ -62,7 +63,7 @@ private:
     void add_splats(const Batch &batch, const Splats &splats, float scale, const Access &values, Band<AovPixel> &band);
 
     std::list<Mean> means_;
-    std::optional<Gaps> gaps_;
+    std::optional<Spreading> spreading_;
     PictureSize size_;
     float extent_;                            ///< of the world
     std::optional<Kernel> add_, add_splats_;  ///< for means

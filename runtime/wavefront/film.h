@@ -20,7 +20,7 @@ public:
 
     /// Makes it black again; what was cut is still counted.
     void clear();
-    /// Adds a batch's samples: each to its pixel, or, if the film has weights and there are splats, to all that the filter reaches in the window.
+    /// Adds a batch's samples: each to its pixel, or, if the film has weights, with these splats to all that the filter reaches in the window.
     void add(const Batch &batch, const Buffer<Sample> &samples, const Splats *splats = nullptr);
     /// Mean radiance, 3 floats per pixel, row by row from the top; black where there is no sample yet.
     std::vector<vec3> develop();
@@ -39,14 +39,14 @@ public:
 private:
     /// What splats need beside.
     struct Splatted {
-        Kernel add, develop;
         Bands<PixelWeights> weights;  ///< of the same rows as the film's
         double correlated_pixels;
     };
-    Film(Device &device, const Window &window, std::size_t largest_band, std::size_t pixel_bytes);
+    /// With the kernels of films of its kind, but without the weights of splatted ones.
+    Film(Device &device, const Window &window, std::size_t largest_band, bool splats);
 
     Window window_;
-    Kernel add_samples_, develop_;
+    Kernel add_, develop_;
     Buffer<vec3> picture_;  ///< of one band
     Bands<FilmPixel> bands_;
     Buffer<uint> clamped_;

@@ -7,9 +7,10 @@
 namespace brandung {
 namespace {
 
-/// Buffers have at least one element.
-std::vector<float> table_or_nothing(const FilterKind &kind, float radius) {
-    std::vector<float> table = filter_table(kind, radius);
+/// Of filters that samples are drawn from; splats are drawn from the box. Buffers have at least one element.
+std::vector<float> table_or_nothing(const FilmSettings &film) {
+    std::vector<float> table;
+    if (!splats(film)) table = filter_table(filter_kinds()[film.filter], film.filter_radius);
     if (table.empty()) table.push_back(0);
     return table;
 }
@@ -24,8 +25,7 @@ bool has_filtered_aovs(const FilmSettings &film) {
 }  // namespace
 
 Filter::Filter(Device &device, const FilmSettings &film, const Sources &lists, uint batch)
-    : params_(filter_params(filter_kinds()[film.filter], film.filter_radius)),
-      table_(device, table_or_nothing(filter_kinds()[film.filter], film.filter_radius)) {
+    : params_(filter_params(filter_kinds()[film.filter], film.filter_radius)), table_(device, table_or_nothing(film)) {
     if (brandung::splats(film)) splats_.emplace(device, film, lists, batch);
     if (!(params_.negative_tail > 0 && is_drawn(film))) return;
     weigh_.emplace(device, "kernels/stages/weigh_samples.cl", "weigh_samples", lists);

@@ -10,9 +10,11 @@ struct PixelHalves {
     /// Of samples that count in several pixels.
     PixelHalves(const FilmPixel &pixel, const PixelWeights &weights);
 
+    /// Only where there are two samples or more.
     double share(std::size_t half) const { return weights[half] / (weights[0] + weights[1]); }
-    bool has_two_samples() const { return samples[0] > 0 && samples[1] > 0; }
-    bool has_variances() const { return samples[0] > 1 && samples[1] > 1; }
+    /// In either half one that weighs anything.
+    bool has_two_samples() const { return samples[0] > 0 && samples[1] > 0 && weights[0] > 0 && weights[1] > 0; }
+    bool has_variances() const { return samples[0] > 1 && samples[1] > 1 && counts[0] > 1 && counts[1] > 1; }
     double mean(std::size_t c) const { return share(0) * means[0][c] + share(1) * means[1][c]; }
     double squared_error_by_halves(std::size_t c) const;                      ///< D² of NoiseSums
     double squared_error_by_squares(std::size_t half, std::size_t c) const {  ///< S_A / 4 or S_B / 4 of NoiseSums

@@ -1,5 +1,7 @@
 #include "scene/bsdfs/facets.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -37,7 +39,7 @@ double cosine_at(const Facets &facets, double position) {
 
 Facets read_facets(const Parameters &parameters, float roughness) {
     roughness = parameters.not_negative("roughness", roughness);
-    if (roughness > 1) parameters.fail("roughness", "must be from 0 to 1");
+    if (roughness > 1) parameters.fail("roughness", fmt::format("must be from 0 to 1, got {:g}", roughness));
     return {roughness < least_roughness ? 0 : roughness * roughness, parameters.choice("distribution", {"ggx", "beckmann"}, 0)};
 }
 

@@ -43,17 +43,20 @@ public:
 
     /// Of what the facet mirrors and refracts, the part that no other facet meets.
     double part_that_leaves(double eta) const {
-        const double square = 1 - eta * eta * (1 - at_facet_) * (1 + at_facet_);
+        const double sine_squared = (1 - at_facet_) * (1 + at_facet_), square = 1 - eta * eta * sine_squared;
         if (square <= 0) return mirrored_;
         const double beyond = std::sqrt(square), s = (eta * at_facet_ - beyond) / (eta * at_facet_ + beyond);
         const double p = (at_facet_ - eta * beyond) / (at_facet_ + eta * beyond), reflectance = (s * s + p * p) / 2;
-        return reflectance * mirrored_ + (1 - reflectance) * part((beyond - eta * at_facet_) * z_ + eta * cosine_);
+        const double bend = std::sqrt((1 - eta) * (1 - eta) * sine_squared + (at_facet_ - beyond) * (at_facet_ - beyond)), x = 4.41 * bend;
+        return reflectance * mirrored_ + (1 - reflectance) * part((beyond - eta * at_facet_) * z_ + eta * cosine_, x / (x + 1));
     }
 
 private:
-    /// Of light that goes on at this cosine, below 0 to where it meets the surface again.
-    double part(double cosine) const {
-        return cosine > 0 ? area_ * also_visible(cosine_, area_, cosine, visible_area(facets_, std::min(cosine, 1.0))) : 0;
+    /// Of light that goes on at this cosine, below 0 to where it meets the surface again. `apart`: masking_apart of kernels/bsdfs/dielectric.cl.
+    double part(double cosine, double apart = 1) const {
+        if (cosine <= 0) return 0;
+        const double a = area_ * cosine, b = visible_area(facets_, std::min(cosine, 1.0)) * cosine_;
+        return a / (std::max(a, b) + apart * (std::min(a, b) - cosine * cosine_));
     }
 
     const Facets &facets_;
@@ -119,18 +122,20 @@ LossTable loss_table_of(const Facets &facets) {
     return table;
 }
 
-std::vector<std::byte> with_losses(std::vector<Material> materials, const std::vector<bool> &is_used) {
-    std::vector<LossTable> tables;
+std::vector<std::byte> with_losses(std::vector<Material> materials, const std::vector<bool> &is_used, bool computes) {
+    std::vector<Facets> facets;
     std::map<std::pair<float, uint>, std::size_t> places;
     for (std::size_t m = 0; m < is_used.size(); ++m) {
         if (!is_used[m] || (materials[m].flags & MATERIAL_LOSES) == 0) continue;
         auto view = view_of<Dielectric>(materials[m].words);
-        const auto [place, is_new] = places.try_emplace({view.alpha, view.distribution}, tables.size());
-        if (is_new) tables.push_back(loss_table_of({view.alpha, view.distribution}));
+        const auto [place, is_new] = places.try_emplace({view.alpha, view.distribution}, facets.size());
+        if (is_new) facets.push_back({view.alpha, view.distribution});
         const std::size_t bytes = (materials.size() - m) * sizeof(Material) - offsetof(Material, words) + place->second * sizeof(LossTable);
         view.losses = static_cast<uint>(bytes / sizeof(uint));
         write_words(view, materials[m].words);
     }
+    std::vector<LossTable> tables(facets.size());
+    if (computes) tbb::parallel_for(std::size_t{0}, tables.size(), [&](std::size_t t) { tables[t] = loss_table_of(facets[t]); });
     std::vector<std::byte> records;
     const auto add = [&](std::span<const std::byte> bytes) { records.insert(records.end(), bytes.begin(), bytes.end()); };
     add(std::as_bytes(std::span(materials))), add(std::as_bytes(std::span(tables)));

@@ -14,7 +14,7 @@ namespace brandung {
 LossTable loss_table_of(const Facets &facets);
 
 /// The materials' bytes, and behind them the tables that those with MATERIAL_LOSES have then in their words, for each of which `is_used` says whether
-/// anything is made of it.
-std::vector<std::byte> with_losses(std::vector<Material> materials, const std::vector<bool> &is_used);
+/// anything is made of it. Without `computes` the tables are 0.
+std::vector<std::byte> with_losses(std::vector<Material> materials, const std::vector<bool> &is_used, bool computes = true);
 
 }  // namespace brandung

@@ -61,7 +61,7 @@ std::vector<uint> kinds_of_bsdfs(std::vector<Material> used_materials) {
 
 }  // namespace
 
-void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
+void add_materials(const Scene &scene, const CompileOptions &options, CompiledScene &compiled, Arena &arena) {
     const std::vector<bool> used = materials_in_use(scene);
     const Bundles sizes = scene.integrator.bundles_in_use();
     std::vector<Material> materials, used_materials;
@@ -85,7 +85,7 @@ void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena) {
     add_textures(scene, used_materials, compiled, arena);
     add_passing_material(materials, used_materials);
     compiled.bsdfs = kinds_of_bsdfs(used_materials);
-    compiled.header.materials = arena.add(with_losses(materials, used), materials.size());
+    compiled.header.materials = arena.add(with_losses(materials, used, options.computes_losses), materials.size());
 }
 
 }  // namespace brandung

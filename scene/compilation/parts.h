@@ -11,7 +11,7 @@ namespace brandung {
 /// Primitives, their accelerators, and instances. Throws SceneError, before anything is built if they cannot fit.
 void add_primitives(const Scene &scene, const CompileOptions &options, CompiledScene &compiled, Arena &arena);
 /// And textures. Follows add_primitives().
-void add_materials(const Scene &scene, CompiledScene &compiled, Arena &arena);
+void add_materials(const Scene &scene, const CompileOptions &options, CompiledScene &compiled, Arena &arena);
 /// Follows add_materials().
 void add_lights(const Scene &scene, CompiledScene &compiled, Arena &arena);
 

@@ -23,7 +23,8 @@ FilterParams filter_params(const FilterKind &kind, float radius);
 /// The table that the kernels read: empty for filters that have none.
 std::vector<float> filter_table(const FilterKind &kind, float radius);
 
-constexpr float max_splat_radius = 4;  ///< [pixels]
+constexpr float min_splat_radius = 0.5;  ///< [pixels]: of any less there are places in a pixel from which samples count nowhere
+constexpr float max_splat_radius = 4;    ///< [pixels]
 /// Whether samples of such a film lie evenly in their pixels and count in all that the filter reaches, instead of being drawn from the filter.
 bool splats(const FilmSettings &film);
 /// How many pixels further, in either direction, a sample counts.

@@ -37,8 +37,9 @@ void read_filter(const Parameters &parameters, FilmSettings &film) {
     if (film.splat && filter_params(kind, film.filter_radius).negative_tail > 0)
         parameters.fail(
             "splat", fmt::format("needs a filter that is nowhere negative, since the weights of few samples of {} may sum up to nothing", kind.name));
-    if (film.splat && film.filter_radius > max_splat_radius)
-        parameters.fail("splat", fmt::format("takes filters of at most {:g} pixels, got {:g}", max_splat_radius, film.filter_radius));
+    if (splats(film) && (film.filter_radius < min_splat_radius || film.filter_radius > max_splat_radius))
+        parameters.fail("filter_radius", fmt::format("must be from {:g} to {:g} pixels where samples are splatted, got {:g}", min_splat_radius,
+                                                     max_splat_radius, film.filter_radius));
 }
 
 void read_crop(const Parameters &parameters, FilmSettings &film) {
@@ -104,6 +105,12 @@ Bundles read_bundles(const Parameters &parameters, Bundles bundles) {
     return bundles;
 }
 
+void warn_of_unused_splats(const Parameters &film, Scene &scene) {
+    if (!scene.film.splat || splats(scene.film)) return;
+    ++scene.warnings[fmt::format("film.splat has no effect with the filter {}", filter_kinds()[scene.film.filter].name)];
+    place_warnings(scene, [&] { return film.place("splat"); });
+}
+
 /// Of what is set to no avail.
 void warn_of_unused(const Parameters &parameters, Scene &scene) {
     const IntegratorSettings &integrator = scene.integrator;
@@ -143,6 +150,7 @@ void read_settings(const Parameters &root, Scene &scene) {
     // PIXEL_... number the choices of film.pixel.
     static_assert(PIXEL_CORNER == 0 && PIXEL_CENTER == 1 && PIXEL_RANDOM == 2);
     read_film(root.child("film"), scene.film);
+    warn_of_unused_splats(root.child("film"), scene);
     read_integrator(root.child("integrator"), scene);
     std::vector<std::string> accelerators = {"auto"};
     for (const AcceleratorKind &kind : accelerator_kinds()) accelerators.emplace_back(kind.name);

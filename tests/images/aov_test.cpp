@@ -42,17 +42,13 @@ Scene camera_at(vec3 from, uint width, uint height, uint spp) {
     return scene;
 }
 
-/// A sphere about the origin: what a ray from the eye hits is on it, the normal leads there from the origin, and its colours are the material's.
-TEST(Aovs, OfASphereFollowFromItsGeometry) {
-    const vec3 eye = {1, 2, 4};
-    Scene scene = camera_at(eye, 33, 25, 1);
-    Material material =
-        make_material(Whitted{.diffuse = {0.5f, 0.25f, 0.125f}, .specular = Spectrum(0.9f), .reflection = {0.25f, 0, 0.5f}, .exponent = 10});
-    material.emission = {0, 0, 0.75f};
-    add_material(scene, matte(0.5f));
-    add_triangle(scene, 0, {50, 0, 0}, {51, 0, 0}, {50, 1, 0});  // out of sight: the sphere is number 1
-    add_sphere(scene, add_material(scene, material), {0, 0, 0}, 1.5f);
-    const Channels channels = render_aovs(scene);
+constexpr const char *all_integrators[] = {"whitted", "path", "distributed"};
+
+/// A material of another kind than others, where the integrator shows such: paths group hits by their kind.
+uint add_of_second_kind(Scene &scene) { return add_material(scene, scene.integrator.type == "whitted" ? mirror(0.5f) : make_null(Spectrum(0.5f))); }
+
+/// What a ray from the eye hits is on the sphere about the origin, the normal leads there from the origin, and its colours are the material's.
+void expect_sphere(const Channels &channels, vec3 eye) {
     std::size_t hits = 0;
     for (std::size_t i = 0; i < 33 * 25; ++i) {
         const vec3 normal = at(channels, i, "N.X", "N.Y", "N.Z"), albedo = at(channels, i, "albedo.R", "albedo.G", "albedo.B");
@@ -60,22 +56,37 @@ TEST(Aovs, OfASphereFollowFromItsGeometry) {
         const float depth = channels.at("depth.Z").floats[i];
         ASSERT_EQ(channels.at("samples").numbers[i], 1u);
         if (std::isinf(depth)) {
-            EXPECT_EQ(normal, vec3(0));
-            EXPECT_EQ(position, vec3(0));
-            EXPECT_EQ(albedo, vec3(0.25f, 1, 0)) << "the background, at most 1";
-            EXPECT_EQ(channels.at("primitive").numbers[i], NO_HIT);
-            EXPECT_EQ(channels.at("instance").numbers[i], NO_HIT);
+            ASSERT_EQ(normal, vec3(0));
+            ASSERT_EQ(position, vec3(0));
+            ASSERT_EQ(albedo, vec3(0.25f, 1, 0)) << "the background, at most 1";
+            ASSERT_EQ(channels.at("primitive").numbers[i], NO_HIT);
+            ASSERT_EQ(channels.at("instance").numbers[i], NO_HIT);
             continue;
         }
         ++hits;
-        EXPECT_NEAR(glm::length(position), 1.5f, 2e-6f);
-        EXPECT_NEAR(glm::length(position - eye), depth, 2e-6f);
-        EXPECT_NEAR(glm::length(normal - position / 1.5f), 0, 3e-6f);
-        EXPECT_EQ(albedo, vec3(0.75f, 0.25f, 1));
-        EXPECT_EQ(channels.at("primitive").numbers[i], 1u);
+        ASSERT_NEAR(glm::length(position), 1.5f, 2e-6f);
+        ASSERT_NEAR(glm::length(position - eye), depth, 2e-6f);
+        ASSERT_NEAR(glm::length(normal - position / 1.5f), 0, 3e-6f);
+        ASSERT_EQ(albedo, vec3(0.75f, 0.25f, 1));
+        ASSERT_EQ(channels.at("primitive").numbers[i], 1u);
     }
     // tan asin(1.5 / sqrt 21) = 0.3464 of half a height of 0.3640: a circle of 0.4755 pixels' height in radius, 25 high.
     EXPECT_NEAR(double(hits), M_PI * std::pow(0.3464 / 0.3640 * 12.5, 2), 25);
+}
+
+TEST(Aovs, OfASphereFollowFromItsGeometry) {
+    const vec3 eye = {1, 2, 4};
+    Material material =
+        make_material(Whitted{.diffuse = {0.5f, 0.25f, 0.125f}, .specular = Spectrum(0.9f), .reflection = {0.25f, 0, 0.5f}, .exponent = 10});
+    material.emission = {0, 0, 0.75f};
+    for (const char *integrator : all_integrators) {
+        SCOPED_TRACE(integrator);
+        Scene scene = camera_at(eye, 33, 25, 1);
+        scene.integrator.type = integrator;
+        add_triangle(scene, add_of_second_kind(scene), {50, 0, 0}, {51, 0, 0}, {50, 1, 0});  // out of sight: the sphere is number 1
+        add_sphere(scene, add_material(scene, material), {0, 0, 0}, 1.5f);
+        expect_sphere(render_aovs(scene), eye);
+    }
 }
 
 /// Batches of two rows, the first and last of which hardly have a ray: what earlier ones recorded must not show.
@@ -171,10 +182,12 @@ TEST(Aovs, NormalsFaceTheEyeInsideGlassToo) {
         EXPECT_NEAR(glm::length(at(channels, i, "N.X", "N.Y", "N.Z") + at(channels, i, "P.X", "P.Y", "P.Z") / 2.0f), 0, 3e-6f);
 }
 
-Scene soup_scene(uint spp) {
+Scene soup_scene(uint spp, const char *integrator = "whitted") {
     Scene scene = camera_at({0.2f, 0.4f, 3}, 21, 17, spp);
+    scene.integrator.type = integrator;
     add_soup(scene, add_material(scene, matte(0.7f)), {.of_each = 20, .size = 0.5f, .seed = 1});
     add_soup(scene, add_material(scene, glass(1.5f)), {.of_each = 5, .size = 0.5f, .seed = 2});
+    add_soup(scene, add_of_second_kind(scene), {.of_each = 10, .size = 0.5f, .seed = 3});
     for (int i = 0; i < 9; ++i) scene.lights.push_back(point_light({2, 3, float(i)}, Spectrum(1)));
     return scene;
 }
@@ -187,29 +200,57 @@ void expect_equal(const Channels &a, const Channels &b) {
 }
 
 TEST(Aovs, HaveTheSameBitsForEveryBatchAndInBands) {
-    Scene scene = soup_scene(5);
-    const Channels expected = render_aovs(scene);
-    for (const uint batch : {1u, 7u, 333u}) expect_equal(expected, render_aovs(scene, batch));
-    expect_equal(expected, render_aovs(scene, 32768, 2 * 21 * sizeof(AovPixel)));
+    for (const char *integrator : all_integrators) {
+        SCOPED_TRACE(integrator);
+        Scene scene = soup_scene(5, integrator);
+        const Channels expected = render_aovs(scene);
+        for (const uint batch : {1u, 7u, 333u}) expect_equal(expected, render_aovs(scene, batch));
+        expect_equal(expected, render_aovs(scene, 32768, 2 * 21 * sizeof(AovPixel)));
+    }
+}
+
+/// Of the same rays, of which some pass by a camera that does not see everywhere.
+TEST(Aovs, OfFirstHitsAreWhittedsWithEveryIntegrator) {
+    for (const char *camera : {"perspective", "fisheye"}) {
+        const auto channels_of = [&](const char *integrator) {
+            Scene scene = soup_scene(3, integrator);
+            scene.cameras[0].kind = kind_number(camera_kinds(), camera);
+            return render_aovs(scene);
+        };
+        const Channels expected = channels_of("whitted");
+        for (const char *integrator : {"path", "distributed"}) {
+            const Channels found = channels_of(integrator);
+            for (const char *name : {"N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "depth.Z"})
+                EXPECT_EQ(found.at(name).floats, expected.at(name).floats) << name << ", " << integrator << ", " << camera;
+            for (const char *name : {"primitive", "instance"})
+                EXPECT_EQ(found.at(name).numbers, expected.at(name).numbers) << name << ", " << integrator << ", " << camera;
+        }
+    }
+}
+
+void expect_part(const Channels &part, const Channels &whole, const Window &crop, uint width) {
+    for (const auto &[name, channel] : part)
+        for (uint y = crop.top; y < crop.bottom; ++y)
+            for (uint x = crop.left; x < crop.right; ++x) {
+                const std::size_t i = (y - crop.top) * crop.width() + x - crop.left, j = y * width + x;
+                if (channel.numbers.empty()) {
+                    ASSERT_EQ(channel.floats[i], whole.at(name).floats[j]) << name;
+                } else {
+                    ASSERT_EQ(channel.numbers[i], whole.at(name).numbers[j]) << name;
+                }
+            }
 }
 
 TEST(Aovs, OfACropAreThoseOfTheWhole) {
-    for (const bool splats : {false, true}) {
-        Scene scene = soup_scene(2);
-        if (splats) scene.film.filter = filter_number("gaussian"), scene.film.filter_radius = 1.5f, scene.film.splat = true;
-        const Channels whole = render_aovs(scene);
-        scene.film.crop = Window{4, 3, 17, 11};
-        for (const auto &[name, channel] : render_aovs(scene, 100))
-            for (uint y = 3; y < 11; ++y)
-                for (uint x = 4; x < 17; ++x) {
-                    const std::size_t i = (y - 3) * 13 + x - 4, j = y * 21 + x;
-                    if (channel.numbers.empty()) {
-                        ASSERT_EQ(channel.floats[i], whole.at(name).floats[j]) << name;
-                    } else {
-                        ASSERT_EQ(channel.numbers[i], whole.at(name).numbers[j]) << name;
-                    }
-                }
-    }
+    for (const char *integrator : all_integrators)
+        for (const bool splats : {false, true}) {
+            SCOPED_TRACE(integrator);
+            Scene scene = soup_scene(2, integrator);
+            if (splats) scene.film.filter = filter_number("gaussian"), scene.film.filter_radius = 1.5f, scene.film.splat = true;
+            const Channels whole = render_aovs(scene);
+            scene.film.crop = Window{4, 3, 17, 11};
+            expect_part(render_aovs(scene, 100), whole, *scene.film.crop, 21);
+        }
 }
 
 /// A wall at z = 0 covers the picture's left half; pixels on its edge have hits and misses.

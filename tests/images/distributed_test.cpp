@@ -202,7 +202,7 @@ constexpr uint strip = 64;
 constexpr float strip_width = 0.1f;
 
 /// A board that ends at x = 0 between a disk straight above its edge and a floor, of which a strip across the edge's shadow is seen from under the
-/// board. From below all of a cone is its rim's disk.
+/// board.
 Scene penumbra_scene() {
     Scene scene = read_text(R"({"camera": {"type": "orthographic", "from": [0, 0.5, 0], "at": [0, 0, 0], "up": [0, 0, 1], "height": 0.025}})");
     scene.film.width = strip, scene.film.height = strip / 4, scene.film.spp = 64;
@@ -211,7 +211,7 @@ Scene penumbra_scene() {
     add_material(scene, matte(1)), add_material(scene, emitter(Spectrum(1)));
     add_floor(scene);
     add_quad(scene, 0, {-5, edge_height, -5}, {5, 0, 0}, {0, 0, 10});
-    add_frustum(scene, 1, {0, lamp_height, 0}, lamp_radius, {0, lamp_height - 0.1f, 0}, 0);
+    add_disk(scene, 1, {0, lamp_height, 0}, {0, -1, 0}, lamp_radius);
     return scene;
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <regex>
 #include <set>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "kernels/bsdfs/loss_table.h"
 #include "runtime/accelerators/traversals.h"
 #include "runtime/opencl/embedded_kernels.h"
+#include "runtime/wavefront/aovs.h"
 #include "runtime/wavefront/specialization.h"
 #include "scene/accelerators/accelerator.h"
 #include "scene/bsdfs/bsdf.h"
@@ -198,6 +200,47 @@ TEST(Absence, WhatASceneDoesNotNeedIsNotLaunched) {
     for (const char *kernel : {"weigh_splats", "add_splats"}) EXPECT_TRUE(splatted.contains(kernel) && !opaque.contains(kernel)) << kernel;
     EXPECT_FALSE(splatted.contains("add_samples"));
     for (const char *kernel : {"record_aov", "add_aov", "record_number"}) EXPECT_FALSE(opaque.contains(kernel)) << kernel;
+}
+
+/// Kernels made for a render, whether launched or not.
+std::set<std::string> made_for(const Scene &scene) {
+    Device device = Device::select();
+    const CompiledScene compiled = compile(scene);
+    const DeviceScene on_device(device, compiled);
+    const Film film(device, scene.film);
+    std::optional<Aovs> aovs;
+    if (!scene.film.aovs.empty()) aovs.emplace(device, scene, compiled, on_device, scene.cameras[0], 64);
+    const Renderer renderer(device, scene, compiled, on_device, scene.cameras[0], {});
+    return device.kernels();
+}
+
+TEST(Absence, FilmsHaveTheKernelsOfTheirKindOnly) {
+    const std::set<std::string> drawing = {"add_samples", "develop"}, splatting = {"weigh_splats", "add_splats", "develop_splats"};
+    const auto expect = [](const Scene &scene, const std::set<std::string> &there, const std::set<std::string> &absent) {
+        const std::set<std::string> made = made_for(scene);
+        for (const std::string &kernel : there) EXPECT_TRUE(made.contains(kernel)) << kernel;
+        for (const std::string &kernel : absent) EXPECT_FALSE(made.contains(kernel)) << kernel;
+    };
+    Scene scene = spheres_only(matte(0.5f));
+    scene.film.filter = kind_number(filter_kinds(), "gaussian"), scene.film.filter_radius = 1.5f;
+    expect(scene, drawing, splatting);
+    const auto wave_bytes = [](const Scene &of) {
+        const CompiledScene compiled = compile(of);
+        return Filter(test_device(), of.film, DeviceScene(test_device(), compiled).lists(), 1).bytes();
+    };
+    const std::size_t with_table = wave_bytes(scene);
+    scene.film.splat = true;
+    expect(scene, splatting, drawing);
+    EXPECT_LT(wave_bytes(scene), with_table + FILTER_INTERVALS * sizeof(float)) << "values of the filter, but no table of places";
+    const auto aov = [](const char *name) { return kind_number(aov_kinds(), name); };
+    scene.film.aovs = {aov("normal"), aov("albedo")};
+    expect(scene, {"add_aov_splats"}, {"add_aov"});
+    scene.film.aovs = {aov("depth")};
+    expect(scene, {"add_aov"}, {"add_aov_splats"});
+    scene.film.aovs = {aov("depth"), aov("normal")};
+    expect(scene, {"add_aov", "add_aov_splats"}, {});
+    scene.film.aovs = {aov("primitive"), aov("samples")};
+    expect(scene, {"record_number"}, {"add_aov", "add_aov_splats"});
 }
 
 TEST(Absence, OtherFiltersAreNotThere) {

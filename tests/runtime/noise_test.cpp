@@ -194,6 +194,22 @@ TEST(Noise, OfPixelsWithoutTwoSamplesThereIsNone) {
     EXPECT_FALSE(noise_of({FilmPixel{}, known}, 2));
 }
 
+/// Splats whose weights are all 0 say nothing of their pixel.
+TEST(Noise, OfHalvesWithoutWeightThereIsNone) {
+    Generator random(1);
+    const FilmPixel pixel = pixel_of(normal(1), 4, random);
+    const PixelWeights full{.sums = {2u << 30, 2u << 30}, .squares = {2u << 30, 2u << 30}};
+    const auto is_known = [&](const PixelWeights &weights) {
+        NoiseSums sums(2);
+        sums.add_rows(std::vector<FilmPixel>(2, pixel), std::vector<PixelWeights>{full, weights});
+        return sums.noise().has_value();
+    };
+    EXPECT_TRUE(is_known(full));
+    EXPECT_FALSE(is_known({}));
+    EXPECT_FALSE(is_known({.sums = {2u << 30, 0}, .squares = {2u << 30, 0}}));
+    EXPECT_EQ(standard_error(PixelHalves(pixel, PixelWeights{})), vec3(std::numeric_limits<float>::infinity()));
+}
+
 TEST(Noise, OfEqualSamplesIsNothing) {
     Generator random(1);
     const FilmPixel pixel = pixel_of({0.7, [](Generator &, uint, uint) { return 0.7; }}, 6, random);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace brandung {
 namespace {
 
@@ -59,6 +61,15 @@ TEST(Schedule, PassesTowardsAnErrorAreEven) {
 }
 
 TEST(Schedule, SppIsTheLimit) { EXPECT_EQ(sum(passes({film_of(37), 32768, {.error = 1e-6, .seconds = {}}}, independent)), 37u); }
+
+TEST(Schedule, NoiseThatIsNotFiniteIsNotKnown) {
+    for (const double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        Schedule schedule(film_of(64), 32768, {.error = 0.1, .seconds = {}});
+        for (uint pass = schedule.next_pass(); pass > 0; pass = schedule.next_pass()) schedule.end_pass(pass, 1, Noise{value, 0, value});
+        EXPECT_EQ(schedule.samples_done(), 64u);
+        EXPECT_FALSE(schedule.has_reached_error());
+    }
+}
 
 TEST(Schedule, KnowsWhenItIsLateButNotBeforeEveryPixelHasASample) {
     Schedule schedule(film_of(1u << 24), 32768, {.error = {}, .seconds = 10});

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <span>
@@ -89,6 +90,26 @@ TEST(Compile, RoughDielectricsFindTheirTableBehindTheMaterials) {
     ASSERT_LE(table + sizeof(LossTable), compiled.arena.data() + compiled.arena.size());
     const LossTable expected = loss_table_of({0.3f, 1});
     EXPECT_EQ(std::memcmp(table, &expected, sizeof expected), 0);
+}
+
+/// Who only asks what a scene has need not wait for tables: they are there, and 0.
+TEST(Compile, LossesAreComputedForRendersOnly) {
+    Scene scene;
+    Dielectric view{};
+    for (const float alpha : {0.1f, 0.2f, 0.3f}) {
+        view.alpha = alpha;
+        add_sphere(scene, add_material(scene, material_of_kind("dielectric", MATERIAL_TRANSMITS | MATERIAL_LOSES, view)), vec3(0), 1);
+    }
+    scene.integrator.type = "path";
+    const CompiledScene without = compile(scene, {.computes_losses = false}), with = compile(scene);
+    const auto tables = [](const CompiledScene &compiled) {
+        const std::size_t begin = std::size_t{64} * compiled.header.materials.offset + compiled.header.materials.count * sizeof(Material);
+        return std::span(compiled.arena).subspan(begin, 3 * sizeof(LossTable));
+    };
+    EXPECT_EQ(without.arena.size(), with.arena.size());
+    const auto is_zero = [](std::byte byte) { return byte == std::byte{0}; };
+    EXPECT_TRUE(std::all_of(tables(without).begin(), tables(without).end(), is_zero));
+    EXPECT_FALSE(std::all_of(tables(with).begin(), tables(with).end(), is_zero));
 }
 
 /// Of two shapes in a group one shines by itself, and both where an instance's material replaces theirs by one that does.

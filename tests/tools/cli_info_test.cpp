@@ -148,6 +148,18 @@ TEST(CliInfo, ExplainNamesPicturesColoursAndNormals) {
         EXPECT_NE(all.find(std::string("uses    ") + feature), std::string::npos) << feature << all;
 }
 
+TEST(CliInfo, ExplainSaysWhyTheBackgroundIsNoLight) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.json", native_scene());
+    const auto why = [&](const std::string &integrator) {
+        const std::string out = run_program({"info", scene, "--integrator", integrator}).out, before = "skips   light environment: ";
+        const std::size_t begin = out.find(before);
+        return begin == std::string::npos ? out : out.substr(begin + before.size(), out.find('\n', begin) - begin - before.size());
+    };
+    EXPECT_EQ(why("path"), "the background is no picture");
+    EXPECT_EQ(why("whitted"), "only paths ask for the light of a picture as background");
+}
+
 TEST(CliInfo, ExplainSaysThatInstancesShine) {
     const TemporaryFolder folder;
     const auto explained = [&](const std::string &emission) {

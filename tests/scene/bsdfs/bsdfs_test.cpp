@@ -63,7 +63,7 @@ TEST(Bsdfs, IndicesWhoseRatiosLeaveFloatsAreRefused) {
 }
 
 TEST(Bsdfs, WhatCannotBeIsRefused) {
-    EXPECT_EQ(error_of(R"({"type": "conductor", "metal": "gold", "roughness": 1.5})"), "material:1: /roughness: must be from 0 to 1");
+    EXPECT_EQ(error_of(R"({"type": "conductor", "metal": "gold", "roughness": 1.5})"), "material:1: /roughness: must be from 0 to 1, got 1.5");
     EXPECT_EQ(error_of(R"({"type": "plastic", "eta": 1})"), "material:1: /eta: must be above 1");
     EXPECT_EQ(error_of(R"({"type": "phong", "diffuse": [0.5, 0.2, 0], "specular": [0.6, 0, 0]})"),
               "material:1: /specular: with the diffuse reflectance more light would leave than arrives: their sum is at most 1");

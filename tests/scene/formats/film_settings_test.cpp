@@ -36,8 +36,20 @@ TEST(FilmSettings, FiltersHaveRadiiOfTheirOwn) {
     EXPECT_EQ(error_of_text(plain_scene, {"film.filter=mitchell", "film.splat=true"}),
               ": /film/splat (set on the command line): needs a filter that is nowhere negative, since the weights of few samples of mitchell may "
               "sum up to nothing");
-    EXPECT_EQ(error_of_text(plain_scene, {"film.filter=tent", "film.filter_radius=5", "film.splat=true"}),
-              ": /film/splat (set on the command line): takes filters of at most 4 pixels, got 5");
+    for (const char *radius : {"5", "0.49"})
+        EXPECT_EQ(
+            error_of_text(plain_scene, {"film.filter=tent", std::string("film.filter_radius=") + radius, "film.splat=true"}),
+            std::string(": /film/filter_radius (set on the command line): must be from 0.5 to 4 pixels where samples are splatted, got ") + radius);
+    EXPECT_TRUE(read_text(plain_scene, {"film.filter=tent", "film.filter_radius=0.5", "film.splat=true"}).film.splat);
+}
+
+TEST(FilmSettings, WarnOfSplatsOfTheBox) {
+    const auto warnings = [](const std::vector<std::string> &options) { return read_text(plain_scene, options).warning_places; };
+    const std::map<std::string, std::string> found = warnings({"film.splat=true"}), before = warnings({});
+    ASSERT_EQ(found.size(), before.size() + 1);
+    EXPECT_TRUE(found.at("film.splat has no effect with the filter box").ends_with(".json: /film/splat (set on the command line)"));
+    EXPECT_EQ(warnings({"film.splat=true", "film.filter=tent"}), before);
+    EXPECT_EQ(warnings({"film.splat=false"}), before);
 }
 
 TEST(FilmSettings, ReadsCropExposureAndTone) {
