@@ -55,8 +55,8 @@ void Film::add(const Batch &batch, const Buffer<Sample> &samples, const Splats *
     }
     for (std::size_t b = 0; b < bands_.size(); ++b)
         for (const Splat &splat : splats->all())
-            add_(batch.params.pixels, batch.params, bands_[b].params, splat, several(splats->weights(), 2 * batch.params.samples),
-                           batch.pixels, of_batch, updated(bands_[b].pixels), updated(splatted_->weights[b].pixels), shared(clamped_));
+            add_(batch.params.pixels, batch.params, bands_[b].params, splat, several(splats->weights(), 2 * batch.params.samples), batch.pixels,
+                 of_batch, updated(bands_[b].pixels), updated(splatted_->weights[b].pixels), shared(clamped_));
 }
 
 std::vector<vec3> Film::develop() {
