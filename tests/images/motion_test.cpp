@@ -128,6 +128,13 @@ TEST_P(MovingBall, CoversPixelsAsLongAsItIsThere) {
     expect_coverage(scene, render_scene(scene).picture, {-2, -0.5}, {2, 1}, 1);
 }
 
+/// Without packets: rays go through a grid one by one.
+TEST(SingleRays, MeetAMovingBallAsLongAsItIsThere) {
+    Scene scene = shining_ball("whitted", {0, 1}, {0, 1});
+    scene.accelerator = "uniform_grid";
+    expect_coverage(scene, render_scene(scene).picture, {-2, -0.5}, {2, 1}, 1);
+}
+
 TEST_P(MovingBall, IsSeenAsLongAsTheShutterIsOpen) {
     const Scene scene = shining_ball(GetParam(), {-1, 1}, {0, 0.5});
     expect_coverage(scene, render_scene(scene).picture, {-2, -0.5}, {0, 0.25}, 1);
