@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "scene/accelerators/accelerator.h"
 #include "scene/vectors.h"
@@ -97,7 +98,11 @@ Spread spread_of(const Rendering &rendering, uint side) {
 
 constexpr uint side = 96;
 constexpr float lens_radius = 0.1f, focus = 4, fov = 20;
-constexpr float ball = 0.01f;  ///< radius, over its distance
+constexpr float ball = 0.01f;                                                       ///< radius, over its distance
+const double scale = side / (2 * focus * std::tan(glm::radians(double(fov)) / 2));  ///< of the sharp plane in the picture [pixels]
+
+/// The diameter c = A |d - f| / d in the sharp plane, for a lens of diameter A [pixels].
+double circle_of_confusion(float distance) { return 2 * double(lens_radius) * std::abs(distance - focus) / distance * scale; }
 
 /// A ball that shines, at a distance in front of a lens.
 Scene lens_scene(float distance, uint blades, const std::string &integrator) {
@@ -114,16 +119,13 @@ Scene lens_scene(float distance, uint blades, const std::string &integrator) {
 
 }  // namespace
 
-/// The circle of confusion has the diameter c = A |d - f| / d in the sharp plane, for a lens of diameter A. Along an axis the variance of a disk's
-/// points is a sixteenth of its diameter's square; that of a hexagon's 5/24 of its circumradius'. Those of the ball's own disk and of a pixel come to
-/// it.
+/// Along an axis the variance of a disk's points is a sixteenth of its diameter's square; that of a hexagon's 5/24 of its circumradius'. Those of the
+/// ball's own disk and of a pixel come to it.
 TEST(ThinLens, CircleOfConfusionHasTheDiameterOfTheFormula) {
     for (const auto &[distance, blades, integrator] :
          {std::tuple(2.0f, 0u, "whitted"), {2.5f, 0u, "path"}, {16.0f, 0u, "whitted"}, {2.0f, 6u, "whitted"}, {3.0f, 0u, "distributed"}}) {
         const Spread found = spread_of(render_scene(lens_scene(distance, blades, integrator)), side);
-        const double scale = side / (2 * focus * std::tan(glm::radians(double(fov)) / 2));
-        const double c = 2 * double(lens_radius) * std::abs(distance - focus) / distance * scale;
-        const double own = double(ball) * focus * scale;
+        const double c = circle_of_confusion(distance), own = double(ball) * focus * scale;
         const auto diameter = [&](double deviation) {
             const double variance = deviation * deviation - own * own / 4 - 1.0 / 12;
             return 2 * std::sqrt(variance / (blades > 0 ? 5.0 / 24 : 0.25));
@@ -134,9 +136,48 @@ TEST(ThinLens, CircleOfConfusionHasTheDiameterOfTheFormula) {
     }
 }
 
+namespace {
+
+constexpr float way = 0.25f;  ///< of a camera, in its picture to the right [world units]
+
+/// The same, elsewhere and turned, while the camera goes its way; the ball goes with it, or rests.
+Scene moving_lens_scene(float distance, bool with_ball) {
+    Scene scene = lens_scene(distance, 0, "whitted");
+    scene.shutter = {0, 1};
+    CameraDescription &camera = scene.cameras[0];
+    camera.shutter = scene.shutter;
+    const AffineMap turned = then(rotation(70, {1, 2, 3}), translation({-1, 0.5, 2}));
+    std::vector<MotionKey> keys;
+    for (const double time : {0.0, 1.0}) {
+        const AffineMap map = then(translation({double(way) * (time - 0.5), 0, 0}), turned);
+        const auto placed = [&](vec3 p) { return vec3(map.linear * glm::dvec3(p) + map.offset); };
+        camera.keys.push_back({time, placed(camera.from), placed(camera.at), vec3(map.linear * glm::dvec3(camera.up))});
+        keys.push_back({time, with_ball ? map : turned});
+    }
+    const uint group = add_group(scene, "ball", std::exchange(scene.shapes, {}));
+    EXPECT_FALSE(add_instance(scene, group, Motion(keys)));
+    return scene;
+}
+
+}  // namespace
+
+/// A ball that goes with the lens has the circle that it has at rest; from one that rests the circle is drawn out along the way, evenly. Variances
+/// add up as points of the lens and times do not know of each other.
+TEST(ThinLens, CircleOfConfusionIsDrawnOutByAMotionOfTheCamera) {
+    for (const float distance : {2.0f, 16.0f})
+        for (const bool with_ball : {true, false}) {
+            const Spread found = spread_of(render_scene(moving_lens_scene(distance, with_ball)), side);
+            const double c = circle_of_confusion(distance), own = double(ball) * focus * scale;
+            const double drawn_out = with_ball ? 0 : double(way) * focus / distance * scale;
+            const double circle = c * c / 16 + own * own / 4 + 1.0 / 12;
+            EXPECT_NEAR(found.height, std::sqrt(circle), 0.01 * std::sqrt(circle)) << distance;
+            const double expected = std::sqrt(circle + drawn_out * drawn_out / 12);
+            EXPECT_NEAR(found.width, expected, 0.01 * expected) << distance << (with_ball ? ", the ball moves" : ", the ball rests");
+        }
+}
+
 TEST(ThinLens, WhatLiesInTheSharpPlaneIsSharp) {
     const Spread found = spread_of(render_scene(lens_scene(focus, 0, "whitted")), side);
-    const double scale = side / (2 * focus * std::tan(glm::radians(double(fov)) / 2));
     EXPECT_LE(found.farthest, double(ball) * focus * scale * 1.01 + std::sqrt(0.5));
 }
 
@@ -151,7 +192,7 @@ TEST(ThinLens, ApertureIsSeenUprightBehindTheSharpPlaneAndInvertedBeforeIt) {
             const double y = side / 2.0 - (i / side + 0.5), light = double(rendering.picture[i].x);
             (y > 0 ? upper : lower) = std::max(y > 0 ? upper : lower, light > 0 ? std::abs(y) : 0);
         }
-        const double own = double(ball) * focus * side / (2 * focus * std::tan(glm::radians(double(fov)) / 2));
+        const double own = double(ball) * focus * scale;
         if (distance < focus) std::swap(upper, lower);
         EXPECT_GT(upper - own, 1.5 * (lower - own)) << distance << ": a corner is twice as far away as a side";
     }

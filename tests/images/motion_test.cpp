@@ -1,6 +1,7 @@
 /// Renders of what moves while the shutter is open: what analysis and still pictures at single times say of them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/gtc/constants.hpp>
@@ -127,6 +128,13 @@ TEST_P(MovingBall, CoversPixelsAsLongAsItIsThere) {
     expect_coverage(scene, render_scene(scene).picture, {-2, -0.5}, {2, 1}, 1);
 }
 
+/// Without packets: rays go through a grid one by one.
+TEST(SingleRays, MeetAMovingBallAsLongAsItIsThere) {
+    Scene scene = shining_ball("whitted", {0, 1}, {0, 1});
+    scene.accelerator = "uniform_grid";
+    expect_coverage(scene, render_scene(scene).picture, {-2, -0.5}, {2, 1}, 1);
+}
+
 TEST_P(MovingBall, IsSeenAsLongAsTheShutterIsOpen) {
     const Scene scene = shining_ball(GetParam(), {-1, 1}, {0, 0.5});
     expect_coverage(scene, render_scene(scene).picture, {-2, -0.5}, {0, 0.25}, 1);
@@ -149,35 +157,64 @@ TEST_P(MovingBall, ItsShadowMovesWithIt) {
 
 INSTANTIATE_TEST_SUITE_P(Motion, MovingBall, testing::Values("whitted", "path"), [](const auto &info) { return std::string(info.param); });
 
-/// Each of many still pictures is of a time of its own, one of each part of the shutter's.
-TEST(MovingPictures, AreTheMeanOfStillOnes) {
+namespace {
+
+std::vector<statistics::Estimate> blocks_of(const Scene &scene) {
+    return statistics::estimates_of_blocks(render_scene(scene).film, width, {4, 4}, 0);
+}
+
+/// Of what still scenes show at many times, each one of its own, anywhere in its part of those from 0 to 1.
+std::vector<statistics::Estimate> mean_of_stills(const std::function<Scene(double time)> &at) {
     constexpr uint times = 64;
-    const auto place = [](Scene &scene, double a, double b) {
-        scene.shutter = {a, b}, scene.cameras[0].shutter = scene.shutter;
-        const uint group = bar(scene, add_material(scene, emitter(Spectrum(1))));
-        const AffineMap end = then(rotation(110, {0.2, 0.1, 1}), translation({0.5, -0.3, 0}));
-        ASSERT_FALSE(add_instance(scene, group, Motion({{0, translation({-1, 0, 0})}, {1, end}})));
-    };
-    Scene moving = scene_of("path");
-    moving.integrator.light_samples = 0, moving.film.spp = 1024;
-    place(moving, 0, 1);
-    const std::vector<statistics::Estimate> found = statistics::estimates_of_blocks(render_scene(moving).film, width, {4, 4}, 0);
     Random random(5);
-    std::vector<std::vector<statistics::Estimate>> stills(found.size());
+    std::vector<std::vector<statistics::Estimate>> stills;
     for (uint i = 0; i < times; ++i) {
-        Scene still = scene_of("path");
-        still.integrator.light_samples = 0, still.film.spp = 16, still.film.seed = i + 1;
-        const double time = (i + double(random.uniform(0, 1))) / times;
-        place(still, time, time);
-        const auto blocks = statistics::estimates_of_blocks(render_scene(still).film, width, {4, 4}, 0);
+        Scene still = at((i + double(random.uniform(0, 1))) / times);
+        still.film.spp = 16, still.film.seed = i + 1;
+        const auto blocks = blocks_of(still);
+        stills.resize(blocks.size());
         for (std::size_t b = 0; b < blocks.size(); ++b) stills[b].push_back(blocks[b]);
     }
-    std::vector<statistics::Estimate> expected;
-    for (const auto &blocks : stills) expected.push_back(statistics::mean_of(blocks));
-    // What the stills' own times add, one anywhere in each 64th, is not in the estimates: within that the bar's end moves by a quarter of a pixel, so
-    // that a block's mean changes by less than a tenth.
-    for (statistics::Estimate &estimate : expected) estimate.variance += 0.1 * 0.1 / (12.0 * times);
-    EXPECT_TRUE(statistics::plausible(statistics::p_of_differences(found, expected)));
+    std::vector<statistics::Estimate> result;
+    for (const auto &blocks : stills) result.push_back(statistics::mean_of(blocks));
+    // What the stills' own times add, one anywhere in each 64th, is not in the estimates: within that what is seen moves by a quarter of a pixel at
+    // most, so that a block's mean changes by less than a tenth.
+    for (statistics::Estimate &estimate : result) estimate.variance += 0.1 * 0.1 / (12.0 * times);
+    return result;
+}
+
+/// What moves is seen because it shines; it gives no light.
+Scene shining_scene() {
+    Scene scene = scene_of("path");
+    scene.integrator.light_samples = 0, scene.film.spp = 1024;
+    add_material(scene, emitter(Spectrum(1)));
+    return scene;
+}
+
+}  // namespace
+
+namespace {
+
+/// A bar that turns and shines, or is seen by the light of a lamp beside it.
+Scene turning_bar(const Shutter &shutter, bool shines) {
+    Scene scene = shining_scene();
+    scene.shutter = shutter, scene.cameras[0].shutter = shutter;
+    if (!shines) scene.integrator.light_samples = 1, scene.lights.push_back(point_light({1, 0.5f, 2}, Spectrum(40)));
+    const AffineMap end = then(rotation(110, {0.2, 0.1, 1}), translation({0.5, -0.3, 0}));
+    move(scene, bar(scene, shines ? 1 : 0), translation({-1, 0, 0}), end);
+    return scene;
+}
+
+}  // namespace
+
+TEST(MovingPictures, AreTheMeanOfStillOnes) {
+    for (const bool shines : {true, false}) {
+        const auto expected = mean_of_stills([&](double time) { return turning_bar({time, time}, shines); });
+        const auto found = blocks_of(turning_bar({0, 1}, shines));
+        EXPECT_TRUE(statistics::plausible(statistics::p_of_differences(found, expected))) << (shines ? "shines" : "is lit");
+        const auto seen = std::ranges::count_if(expected, [](const statistics::Estimate &e) { return e.mean > 0.02; });
+        EXPECT_GT(seen, 5) << (shines ? "shines" : "is lit");
+    }
 }
 
 namespace {
@@ -277,20 +314,66 @@ TEST(MovingCamera, OfEveryKindStandsStillWhereItsKeysAreOne) {
     }
 }
 
+namespace {
+
+/// A thin lens that turns at an even pace while it goes straight on, as it is at a time.
+CameraKey key_of_lens(double time) {
+    const double angle = glm::radians(65 - 10 * time);
+    const glm::dvec3 from(4.5 + 0.5 * time, 0.2 * time, 2.5 - 0.3 * time), forward(-std::sin(angle), 0, -std::cos(angle));
+    return {time, vec3(from), vec3(from + forward), {0, 1, 0}};
+}
+
+/// Balls before the sharp plane, in it, and behind.
+Scene seen_by_lens(const std::vector<CameraKey> &keys) {
+    Scene scene = shining_scene();
+    for (const auto &[x, z] : {std::pair{0.0f, 0.0f}, {2.0f, 2.0f}, {-5.0f, -2.0f}}) add_sphere(scene, 1, {x, 0.3f * z, z}, 0.5f);
+    CameraDescription &camera = scene.cameras[0];
+    camera.kind = kind_number(camera_kinds(), "thin_lens"), camera.fov = glm::radians(40.0f);
+    camera.lens = {.radius = 1, .focus_distance = 5};
+    camera.from = keys[0].from, camera.at = keys[0].at, camera.up = keys[0].up;
+    if (keys.size() > 1) camera.keys = keys;
+    return scene;
+}
+
+}  // namespace
+
+/// Points of the lens turn and go with it, whatever the time of their ray.
+TEST(MovingLens, ShowsTheMeanOfLensesAtRest) {
+    const auto found = blocks_of(seen_by_lens({key_of_lens(0), key_of_lens(1)}));
+    const auto expected = mean_of_stills([](double time) { return seen_by_lens({key_of_lens(time)}); });
+    EXPECT_TRUE(statistics::plausible(statistics::p_of_differences(found, expected)));
+    const auto partial = std::ranges::count_if(expected, [](const statistics::Estimate &e) { return e.mean > 0.02 && e.mean < 0.98; });
+    EXPECT_GT(partial, 15) << "there is something to compare";
+}
+
 TEST(MovingBits, AreTheSameForBatchesAndKernels) {
     Scene scene = moving_scene("whitted");
     expect_same_bits(scene);
 }
 
-TEST(MovingBits, AreTheSameForAccelerators) {
+namespace {
+
+class MovingBitsOf : public testing::TestWithParam<const char *> {};
+
+std::vector<const char *> accelerators_but_none() {
+    std::vector<const char *> names;
+    for (const AcceleratorKind &kind : accelerator_kinds())
+        if (kind.name != std::string("none")) names.push_back(kind.name);
+    return names;
+}
+
+}  // namespace
+
+TEST_P(MovingBitsOf, AreThoseWithoutAnAccelerator) {
     Scene scene = moving_scene("path");
     scene.accelerator = "none";
     const std::uint64_t hash = film_hash(render_scene(scene).film);
-    for (const AcceleratorKind &accelerator : accelerator_kinds()) {
-        scene.accelerator = accelerator.name;
-        EXPECT_EQ(film_hash(render_scene(scene).film), hash) << accelerator.name;
-    }
+    scene.accelerator = GetParam();
+    EXPECT_EQ(film_hash(render_scene(scene).film), hash);
 }
+
+INSTANTIATE_TEST_SUITE_P(Accelerators, MovingBitsOf, testing::ValuesIn(accelerators_but_none()),
+                         [](const auto &info) { return std::string(info.param); });
 
 TEST(MovingBits, OfAnInstantAreThoseOfAStillScene) {
     const auto film_of = [](const Shutter &shutter, bool still) {

@@ -90,7 +90,7 @@ nlohmann::ordered_json random_material(Dice &dice, uint number) {
     if (dice.chance(40)) material["specular"] = reflectance(dice), material["exponent"] = dice.pick({1.0, 10.0, 300.0, 0.001, 1e6});
     material["reflection"] = dice.chance(40) ? fraction(dice) : Json(0);
     material["transmission"] = transparent ? fraction(dice) : Json(0);
-    material["eta"] = dice.pick({1.5, 1.5, 1.33, 1.0, 0.6, 2.4, 1e-3, 1e3});
+    material["eta"] = dice.pick({1.5, 1.5, 1.33, 1.0, 0.6, 2.4, 0.01, 100.0});
     material["fresnel"] = dice.chance(60);
     material["priority"] = dice.below(3);
     if (shines) {
