@@ -91,7 +91,7 @@ TEST_F(PreviewOptions, ThePageIsServedWhilePicturesAreSaved) {
 
 TEST_F(PreviewOptions, AViewerThatVanishesIsWarnedOfOnce) {
     TevReader reader(100);
-    const Finished finished = run({"--preview", reader.target()});
+    const Finished finished = run({"--preview", reader.target(), "--batch", "4096"});
     EXPECT_EQ(finished.status, 0);
     EXPECT_TRUE(finished.err.starts_with("warning: --preview: tev at 127.0.0.1:")) << finished.err;
     EXPECT_EQ(lines_of(finished.err).size(), 1u) << finished.err;
