@@ -10,17 +10,23 @@ namespace {
 
 using nlohmann::json;
 
-/// Strata of a sphere are a grid, those of a mesh lie along a curve; a light comes before them.
-TEST(SceneObjects, TellsStrataOfSpheresAndMeshes) {
+/// A light without size, then a ball and a triangle that shine.
+Scene lamps() {
     Scene scene;
     scene.file = "scene";
-    scene.integrator.light_samples = 2;
     scene.lights.push_back(point_light({0, 5, 0}, Spectrum(1)));
     Material shining = matte(0.5f);
     shining.emission = Spectrum(1);
     const uint lamp = add_material(scene, shining);
     add_sphere(scene, lamp, {0, 0, 0}, 1);
     add_triangle(scene, lamp, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    return scene;
+}
+
+/// Strata of a sphere are a grid, those of a mesh lie along a curve; a light comes before them.
+TEST(SceneObjects, TellsStrataOfSpheresAndMeshes) {
+    Scene scene = lamps();
+    scene.integrator.light_samples = 2;
     SceneObjects objects(scene);
     EXPECT_EQ(objects.light(0)["emissive"], nullptr);
     EXPECT_EQ(objects.light(3)["emissive"]["stratum"], json({{"column", 0}, {"row", 1}, {"rows", 2}}));
@@ -30,15 +36,8 @@ TEST(SceneObjects, TellsStrataOfSpheresAndMeshes) {
 
 /// Paths choose among a shape's faces, and ask the background, which is none of the file's lights.
 TEST(SceneObjects, TellsFacesThatPathsChooseAndTheBackground) {
-    Scene scene;
-    scene.file = "scene";
+    Scene scene = lamps();
     scene.integrator.type = "path";
-    scene.lights.push_back(point_light({0, 5, 0}, Spectrum(1)));
-    Material shining = matte(0.5f);
-    shining.emission = Spectrum(1);
-    const uint lamp = add_material(scene, shining);
-    add_sphere(scene, lamp, {0, 0, 0}, 1);
-    add_triangle(scene, lamp, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     scene.background = Spectrum(1);
     scene.textures.push_back({"", {.wrap = TextureWrap::panorama}, {2, 1, {vec3(1), vec3(1)}, {}}});
     scene.background_texture = 1;
