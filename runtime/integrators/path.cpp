@@ -29,7 +29,6 @@ public:
     explicit PathIntegrator(const IntegratorJob &job)
         : device_(job.device),
           scene_(job.on_device),
-          batch_(job.batch),
           params_{job.scene.integrator.max_depth, job.scene.integrator.roulette_depth, job.scene.integrator.bundles_in_use()},
           asks_(job.compiled.header.light_choices.count > 0),
           rows_(std::max(job.compiled.bundle, asks_ ? params_.bundles.light : 1)),
@@ -196,7 +195,6 @@ private:
 
     Device &device_;
     const DeviceScene &scene_;
-    uint batch_;
     PathParams params_;
     bool asks_;          ///< whether there are lights of which to ask
     uint rows_;          ///< of the largest bundle

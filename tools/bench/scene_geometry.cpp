@@ -30,7 +30,7 @@ GeometryPrimitive add_other(std::vector<OtherPrimitives> &others, const Primitiv
     if (place == others.end()) {
         const auto &all = primitive_oracles();
         const auto oracle = std::ranges::find_if(all, [&](const PrimitiveOracle *each) { return &each->kind() == &kind; });
-        place = others.insert(place, OtherPrimitives{*oracle});
+        place = others.insert(place, OtherPrimitives{.oracle = *oracle, .blocks = {}});
     }
     const uint lane = place->count++;
     place->blocks.resize((lane / BLOCK_SIZE + 1) * kind.block_bytes);
