@@ -11,5 +11,5 @@ FUNCTION float filter_value(float distance, float intervals, const global float 
     return fma(x - (float)i, values[i + 1] - values[i], values[i]);
 }
 
-/// Of a sample, by what it weighs in columns and in rows; in units of 1 / SPLAT_UNIT.
-FUNCTION uint splat_weight(float in_column, float in_row) { return (uint)rint(in_column * in_row * (float)(int)SPLAT_UNIT); }
+/// Of a sample, by what it weighs in columns and in rows; in units of 1 / SPLAT_UNIT, rounded down.
+FUNCTION uint splat_weight(float in_column, float in_row) { return (uint)(in_column * in_row * (float)(int)SPLAT_UNIT); }

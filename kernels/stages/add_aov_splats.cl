@@ -13,9 +13,9 @@ kernel void add_aov_splats(BatchParams batch, FilmBand band, float scale, Splat 
         if (!leads_into_band(pixels[i], splat.x, splat.y, band)) continue;
         global AovPixel *pixel = sums + place_led_to(pixels[i], splat.x, splat.y, band);
         for (uint j = 0u; j < batch.samples; ++j) {
-            const uint s = i * batch.samples + j;
-            const uint weight = splat_weight(splat_weights[splat.along_x + s], splat_weights[splat.along_y + s]);
-            const vec3 value = scaled(values[s], scale);
+            const uint at = j * batch.pixels + i;
+            const uint weight = splat_weight(splat_weights[splat.along_x + at], splat_weights[splat.along_y + at]);
+            const vec3 value = scaled(values[i * batch.samples + j], scale);
             pixel->sums[0] += weighed(fixed_point(value.x), weight), pixel->sums[1] += weighed(fixed_point(value.y), weight);
             pixel->sums[2] += weighed(fixed_point(value.z), weight);
             pixel->weights += weight;

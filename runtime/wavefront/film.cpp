@@ -46,17 +46,19 @@ void Film::clear() {
     if (splatted_) splatted_->weights.clear();
 }
 
-void Film::add(const Batch &batch, const Buffer<Sample> &samples, const Splats *splats) {
-    const Access of_batch = several(samples, batch.params.samples);
+void Film::add(const Batch &batch, const Buffer<Sample> &samples, Splats *splats) {
+    const double per_pixel = batch.params.samples;
     if (!splatted_) {
         for (Band<FilmPixel> &band : bands_)
-            add_(batch.params.pixels, batch.params, band.params, batch.pixels, of_batch, updated(band.pixels), shared(clamped_));
+            add_(batch.params.pixels, batch.params, band.params, batch.pixels, several(samples, per_pixel), updated(band.pixels), shared(clamped_));
         return;
     }
+    splats->cut(batch, samples, clamped_);
     for (std::size_t b = 0; b < bands_.size(); ++b)
         for (const Splat &splat : splats->all())
-            add_(batch.params.pixels, batch.params, bands_[b].params, splat, several(splats->weights(), 2 * batch.params.samples), batch.pixels,
-                 of_batch, updated(bands_[b].pixels), updated(splatted_->weights[b].pixels), shared(clamped_));
+            add_(batch.params.pixels, batch.params, bands_[b].params, splat, several(splats->weights(), 2 * per_pixel),
+                 several(splats->values(), 3 * per_pixel), splats->stride(), batch.pixels, updated(bands_[b].pixels),
+                 updated(splatted_->weights[b].pixels));
 }
 
 std::vector<vec3> Film::develop() {

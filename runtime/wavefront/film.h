@@ -21,7 +21,7 @@ public:
     /// Makes it black again; what was cut is still counted.
     void clear();
     /// Adds a batch's samples: each to its pixel, or, if the film has weights, with these splats to all that the filter reaches in the window.
-    void add(const Batch &batch, const Buffer<Sample> &samples, const Splats *splats = nullptr);
+    void add(const Batch &batch, const Buffer<Sample> &samples, Splats *splats = nullptr);
     /// Mean radiance, 3 floats per pixel, row by row from the top; black where there is no sample yet.
     std::vector<vec3> develop();
     /// Exact sums, row by row from the top.

@@ -23,6 +23,7 @@ public:
     bool has_weights() const { return weigh_.has_value(); }
     /// If samples are splatted: these, as the last batch of weigh_splats() has them.
     const Splats *splats() const { return splats_ ? &*splats_ : nullptr; }
+    Splats *splats() { return splats_ ? &*splats_ : nullptr; }
     void weigh_splats(const Batch &batch) {
         if (splats_) splats_->weigh(batch);
     }

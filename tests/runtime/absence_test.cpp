@@ -197,7 +197,8 @@ TEST(Absence, WhatASceneDoesNotNeedIsNotLaunched) {
     EXPECT_FALSE(weighed.contains("weigh_values"));
     dark.film.filter = kind_number(filter_kinds(), "tent"), dark.film.filter_radius = 1, dark.film.splat = true;
     const auto splatted = launched_by(dark);
-    for (const char *kernel : {"weigh_splats", "add_splats"}) EXPECT_TRUE(splatted.contains(kernel) && !opaque.contains(kernel)) << kernel;
+    for (const char *kernel : {"weigh_splats", "cut_samples", "add_splats"})
+        EXPECT_TRUE(splatted.contains(kernel) && !opaque.contains(kernel)) << kernel;
     EXPECT_FALSE(splatted.contains("add_samples"));
     for (const char *kernel : {"record_aov", "add_aov", "record_number"}) EXPECT_FALSE(opaque.contains(kernel)) << kernel;
 }
@@ -215,7 +216,7 @@ std::set<std::string> made_for(const Scene &scene) {
 }
 
 TEST(Absence, FilmsHaveTheKernelsOfTheirKindOnly) {
-    const std::set<std::string> drawing = {"add_samples", "develop"}, splatting = {"weigh_splats", "add_splats", "develop_splats"};
+    const std::set<std::string> drawing = {"add_samples", "develop"}, splatting = {"weigh_splats", "cut_samples", "add_splats", "develop_splats"};
     const auto expect = [](const Scene &scene, const std::set<std::string> &there, const std::set<std::string> &absent) {
         const std::set<std::string> made = made_for(scene);
         for (const std::string &kernel : there) EXPECT_TRUE(made.contains(kernel)) << kernel;

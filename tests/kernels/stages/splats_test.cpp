@@ -160,6 +160,35 @@ INSTANTIATE_TEST_SUITE_P(Kernels, SplatsOf,
                                          std::pair{"tent", 2.3f}, std::pair{"gaussian", 0.5f}),
                          [](const auto &info) { return std::string(info.param.first) + std::to_string(int(info.param.second * 10)); });
 
+/// As many bright samples of a pixel as 64 bits could not hold the sums of, in one batch and in two.
+TEST(Splats, OfMoreSamplesThanAreTakenAtOnceAreTheSameInParts) {
+    FilmSettings settings = settings_of("tent", 1);
+    settings.spp = 70000;
+    const std::vector<uint> pixel = {3 | 2 << 16};
+    Part whole{pixel, 0, settings.spp, std::vector<Sample>(settings.spp)};
+    for (std::size_t i = 0; i < whole.values.size(); ++i) whole.values[i].sum[i % 3] = {std::uint64_t{65536 - i % 7} << 32, 0};
+    const auto middle = whole.values.begin() + 34567;
+    const Part first{pixel, 0, 34567, {whole.values.begin(), middle}}, second{pixel, 34567, settings.spp - 34567, {middle, whole.values.end()}};
+    Splats splats(test_device(), settings, lists, settings.spp);
+    Film at_once(test_device(), settings), in_parts(test_device(), settings);
+    add(at_once, splats, whole);
+    for (const Part *part : {&first, &second}) add(in_parts, splats, *part);
+    EXPECT_EQ(at_once.develop(), in_parts.develop());
+    const std::vector<FilmPixel> one = at_once.read(), other = in_parts.read();
+    double sum = 0;
+    for (std::size_t i = 0; i < one.size(); ++i)
+        for (const uint half : {0u, 1u}) {
+            EXPECT_EQ(one[i].counts[half], other[i].counts[half]);
+            for (std::size_t c = 0; c < 3; ++c) {
+                EXPECT_EQ(value_of(one[i].sums[half][c]), value_of(other[i].sums[half][c]));
+                EXPECT_EQ(value_of(one[i].squares[half][c]), value_of(other[i].squares[half][c]));
+                sum += double(value_of(one[i].sums[half][c])) * 0x1p-32;
+            }
+        }
+    // Weights of a tent of radius 1 in all pixels are 1 together.
+    EXPECT_NEAR(sum, settings.spp * 65533.0, settings.spp * 0.01);
+}
+
 /// Of samples of one weight nothing changes; of others the mean's variance is that of their values times Σw² / (Σw)².
 TEST(PixelHalvesOfSplats, AreThoseOfWeightedMeans) {
     const auto wide = [](double x) { return Integer128{static_cast<std::uint64_t>(x), 0}; };
