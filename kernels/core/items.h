@@ -68,9 +68,9 @@ typedef struct {
     Spectrum diffuse, specular;
 } Tints;
 
-/// Rays and hits that one work-item of a tracing stage has seen, by kind of ray.
+/// Rays and hits that the work-items of one number of all launches of tracing stages have seen, by kind of ray.
 typedef struct {
-    uint rays[RAY_KINDS], hits[RAY_KINDS];
+    uint64 rays[RAY_KINDS], hits[RAY_KINDS];
 } Tally;
 
 /// low + 2^64 high, in two's complement.

@@ -1,16 +1,17 @@
 // Moves rays to the interfaces that they meet. Only in scenes with transparent materials.
+#include "kernels/core/tally.cl"
 #include "kernels/stages/interfaces.cl"
 
 /// An interface is one where the medium that counts changes; a ray passes all others straight on, so that hits[i], and rays[k] for its item k,
 /// become those at the interface, with sources[k] and instances[i] as intersect has them, interiors[k] the media before it and beyond[i] those
 /// behind. etas[i] is the index of refraction before it over that behind; at an opaque surface, over the material's. Rays passed on are counted with
-/// refracted ones, one tally per work-item.
+/// refracted ones, added to a tally per work-item.
 kernel void find_interfaces(SCENE_PARAMS, LIVE_PARAMS, global Ray *restrict rays, global uint *restrict sources, global Hit *restrict hits,
                             global uint *restrict instances, const global uchar *restrict crowded, global uint *restrict interiors,
                             global uint *restrict beyond, global float *restrict etas, volatile global uint *restrict lost,
                             global Tally *restrict tallies) {
     const Scene scene = SCENE;
-    Tally tally = {{0u}, {0u}};
+    Tally tally = {{0ul}, {0ul}};
     FOR_EACH_ITEM_SERIALLY(i, count) {
         const uint k = live[first + i];
         const Interior inside = interior_load(interiors, k);
@@ -29,5 +30,5 @@ kernel void find_interfaces(SCENE_PARAMS, LIVE_PARAMS, global Ray *restrict rays
         interior_store(beyond, i, passage.behind);
         etas[i] = passage.eta;
     }
-    tallies[get_global_id(0)] = tally;
+    add_tally(tallies + get_global_id(0), tally);
 }

@@ -1,13 +1,14 @@
 // Closest hits of a list of rays, several rays in turn: for rays that go their own ways. Same bits as intersect.
 #include "generated/instances.cl"
 #include "kernels/accelerators/interleaved.cl"
+#include "kernels/core/tally.cl"
 
 /// As intersect.
 kernel void intersect_interleaved(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, const global uint *restrict sources,
                                   global Hit *restrict hits, global uint *restrict instances, global uchar *restrict crowded,
                                   global Tally *restrict tallies) {
     const Course course = course_of(SCENE);
-    Tally tally = {{0u}, {0u}};
+    Tally tally = {{0ul}, {0ul}};
     uint next = get_global_id(0) * ITEMS_PER_WORK_ITEM;
     const uint end = min(next + ITEMS_PER_WORK_ITEM, count);
     PreparedRays prepared[ITEMS_PER_CHUNK / ROW];
@@ -25,5 +26,5 @@ kernel void intersect_interleaved(SCENE_PARAMS, LIVE_PARAMS, const global Ray *r
     TRACE_IN_TURN(next, end, &course, BEGIN, closest, END)
 #undef BEGIN
 #undef END
-    tallies[get_global_id(0)] = tally;
+    add_tally(tallies + get_global_id(0), tally);
 }

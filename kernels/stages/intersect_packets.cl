@@ -3,6 +3,7 @@
 #include "generated/instances.cl"
 #include "kernels/accelerators/packet_levels.cl"
 #include "kernels/accelerators/row_results.cl"
+#include "kernels/core/tally.cl"
 
 FUNCTION void store_hits(global Hit *hits, uint count, RowHits closest) {
     float4 hit[ROW];
@@ -21,13 +22,13 @@ FUNCTION void store_crowded(global uchar *crowded, uint count, RowHits closest) 
     for (uint j = 0u; j < count; ++j) crowded[j] = bits >> j & 1u;
 }
 
-/// hits[i] is the closest hit of ray live[first + i]; a hit beyond t_max or none has primitive NO_HIT. One tally per work-item.
-/// crowded, sources and instances are as intersect says.
+/// hits[i] is the closest hit of ray live[first + i]; a hit beyond t_max or none has primitive NO_HIT. Rays and hits are added to a tally per
+/// work-item. crowded, sources and instances are as intersect says.
 kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, const global uint *restrict sources,
                               global Hit *restrict hits, global uint *restrict instances, global uchar *restrict crowded,
                               global Tally *restrict tallies) {
     const Scene scene = SCENE;
-    Tally tally = {{0u}, {0u}};
+    Tally tally = {{0ul}, {0ul}};
     const uint end = min((uint)(get_global_id(0) + 1u) * ITEMS_PER_WORK_ITEM, count);
     for (uint begin = get_global_id(0) * ITEMS_PER_WORK_ITEM; begin < end; begin += PACKET) {
         const Packet packet = packet_of(rays, live + first, begin, end, sources, 0u);
@@ -40,5 +41,5 @@ kernel void intersect_packets(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restr
             count_rays(&packet.rows[r], first_lanes(rays_here), &closest.rows[r], &tally);
         }
     }
-    tallies[get_global_id(0)] = tally;
+    add_tally(tallies + get_global_id(0), tally);
 }

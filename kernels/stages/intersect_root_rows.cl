@@ -4,6 +4,7 @@
 #include "kernels/accelerators/interleaved.cl"
 #include "kernels/accelerators/row_results.cl"
 #include "kernels/accelerators/sorted_rays.cl"
+#include "kernels/core/tally.cl"
 
 /// Rays that go on below the root, and where what they met there leaves them.
 typedef struct {
@@ -56,7 +57,7 @@ kernel void intersect_root_rows(SCENE_PARAMS, LIVE_PARAMS, const global Ray *res
     const Course course = course_of(SCENE);
     const float extent = course.world->extent;
     const uint nodes = nodes_of_root(&course);
-    Tally tally = {{0u}, {0u}};
+    Tally tally = {{0ul}, {0ul}};
     SortedRays sorted;
     RaysBelow below;
     below.count = 0u;
@@ -71,5 +72,5 @@ kernel void intersect_root_rows(SCENE_PARAMS, LIVE_PARAMS, const global Ray *res
         count_rays(&row, first_lanes(rays_here) & ~go_on, &closest, &tally);
     }
     for (uint k = 0u; k < below.count; k += ITEMS_PER_CHUNK) trace_below(&course, &below, k, rays, hits, crowded, &tally);
-    tallies[get_global_id(0)] = tally;
+    add_tally(tallies + get_global_id(0), tally);
 }

@@ -2,13 +2,14 @@
 #include "kernels/accelerators/row_results.cl"
 #include "kernels/accelerators/rows.cl"
 #include "kernels/accelerators/sorted_rays.cl"
+#include "kernels/core/tally.cl"
 
 /// As intersect.
 kernel void intersect_rows(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict rays, const global uint *restrict sources, global Hit *restrict hits,
                            global uint *restrict instances, global uchar *restrict crowded, global Tally *restrict tallies) {
     const Scene scene = SCENE;
     const float extent = scene.header->world.extent;
-    Tally tally = {{0u}, {0u}};
+    Tally tally = {{0ul}, {0ul}};
     SortedRays sorted;
     sort_rays(rays, live + first, chunks_of(count, CHUNKS_PER_SORT), &sorted);
     FOR_EACH_SORTED_ROW(&sorted, axis, begin, rays_here) {
@@ -26,5 +27,5 @@ kernel void intersect_rows(SCENE_PARAMS, LIVE_PARAMS, const global Ray *restrict
         }
         count_rays(&row, first_lanes(rays_here), &closest, &tally);
     }
-    tallies[get_global_id(0)] = tally;
+    add_tally(tallies + get_global_id(0), tally);
 }

@@ -11,7 +11,7 @@ kernel void list_passed_faces(SCENE_PARAMS, const global Ray *restrict rays, con
         const Nearest nearest = scene_closest_hit(scene, rays[i], instance_at(sources, i));
         Passage passage = passage_of(rays[i], instance_at(sources, i), closest_of(nearest), is_crowded(nearest), interior_load(interiors, i));
         FaceList passed = {faces + i * capacity, capacity, 0u, rays[i]};
-        Tally tally = {{0u}, {0u}};
+        Tally tally = {{0ul}, {0ul}};
         cross_to_interface(scene, &passage, lost, &tally, &passed);
         counts[i] = passed.count;
     }

@@ -1,6 +1,7 @@
 // Visibility along shadow rays, several rays in turn: for rays that come from scattered places. Same answers as trace_shadow_rays.
 #include "generated/instances.cl"
 #include "kernels/accelerators/interleaved.cl"
+#include "kernels/core/tally.cl"
 
 /// As trace_shadow_rays.
 kernel void trace_shadow_rays_interleaved(SCENE_PARAMS, const global uint *restrict live, const global uint *restrict counts, uint stride,
@@ -9,7 +10,7 @@ kernel void trace_shadow_rays_interleaved(SCENE_PARAMS, const global uint *restr
     const Course course = course_of(SCENE);
     const uint row = get_global_id(1);
     const global uint *list = live + row * stride;
-    Tally tally = {{0u}, {0u}};
+    Tally tally = {{0ul}, {0ul}};
     uint next = get_global_id(0) * ITEMS_PER_WORK_ITEM;
     const uint end = min(next + ITEMS_PER_WORK_ITEM, counts[row]);
     PreparedRays prepared[ITEMS_PER_CHUNK / ROW];
@@ -24,5 +25,5 @@ kernel void trace_shadow_rays_interleaved(SCENE_PARAMS, const global uint *restr
     TRACE_IN_TURN(next, end, &course, BEGIN, any, END)
 #undef BEGIN
 #undef END
-    tallies[get_global_id(0) + get_global_size(0) * row] = tally;
+    add_tally(tallies + get_global_id(0) + get_global_size(0) * row, tally);
 }

@@ -3,6 +3,7 @@
 #include "generated/interleaved_root.cl"
 #include "kernels/accelerators/interleaved.cl"
 #include "kernels/accelerators/sorted_rays.cl"
+#include "kernels/core/tally.cl"
 
 /// Those of a row that go on below the root come to the list.
 FUNCTION uint list_row(const uint *numbers, uint count, uint occluded, uint go_on, global uchar *visible, uint *list) {
@@ -35,7 +36,7 @@ kernel void trace_shadow_rays_root_rows(SCENE_PARAMS, const global uint *restric
                                         global Tally *restrict tallies) {
     const Course course = course_of(SCENE);
     const uint line = get_global_id(1), nodes = nodes_of_root(&course);
-    Tally tally = {{0u}, {0u}};
+    Tally tally = {{0ul}, {0ul}};
     SortedRays sorted;
     uint below[RAYS_PER_SORT], count_below = 0u;
     sort_rays(rays, live + line * stride, chunks_of(counts[line], CHUNKS_PER_SORT), &sorted);
@@ -48,5 +49,5 @@ kernel void trace_shadow_rays_root_rows(SCENE_PARAMS, const global uint *restric
     }
     for (uint k = 0u; k < count_below; k += ITEMS_PER_CHUNK)
         trace_below(&course, below + k, min(count_below - k, ITEMS_PER_CHUNK), rays, visible, &tally);
-    tallies[get_global_id(0) + get_global_size(0) * line] = tally;
+    add_tally(tallies + get_global_id(0) + get_global_size(0) * line, tally);
 }

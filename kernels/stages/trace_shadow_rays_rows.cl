@@ -2,6 +2,7 @@
 // trace_shadow_rays.
 #include "kernels/accelerators/rows.cl"
 #include "kernels/accelerators/sorted_rays.cl"
+#include "kernels/core/tally.cl"
 
 /// As trace_shadow_rays.
 kernel void trace_shadow_rays_rows(SCENE_PARAMS, const global uint *restrict live, const global uint *restrict counts, uint stride,
@@ -9,7 +10,7 @@ kernel void trace_shadow_rays_rows(SCENE_PARAMS, const global uint *restrict liv
                                    global Tally *restrict tallies) {
     const Scene scene = SCENE;
     const uint line = get_global_id(1);
-    Tally tally = {{0u}, {0u}};
+    Tally tally = {{0ul}, {0ul}};
     SortedRays sorted;
     sort_rays(rays, live + line * stride, chunks_of(counts[line], CHUNKS_PER_SORT), &sorted);
     FOR_EACH_SORTED_ROW(&sorted, axis, begin, rays_here) {
@@ -21,5 +22,5 @@ kernel void trace_shadow_rays_rows(SCENE_PARAMS, const global uint *restrict liv
             tally.hits[RAY_SHADOW] += 1u;
         }
     }
-    tallies[get_global_id(0) + get_global_size(0) * line] = tally;
+    add_tally(tallies + get_global_id(0) + get_global_size(0) * line, tally);
 }

@@ -64,7 +64,7 @@ RayTracing::RayTracing(Device &device, const CompiledScene &compiled, const Devi
       crowded_(device, batch),
       visible_(device, batch),
       works_(device, batch),
-      tallies_(device, 1),
+      tallies_(device, 0),
       batch_(batch) {}
 
 Kernel &RayTracing::stage(const Traversal &traversal, const char *Traversal::*question) {
@@ -95,8 +95,10 @@ TraceSeconds RayTracing::trace(const RaySpan &rays) { return trace(rays, rays.co
 TraceSeconds RayTracing::trace(const RaySpan &rays, const Traversal &traversal) {
     take(rays);
     Kernel &kernel = stage(traversal, rays.shadow ? &Traversal::any_hit : &Traversal::closest_hit);
-    if (const std::size_t work_items = kernel.work_items(rays.rays.size()); work_items > tallies_.size())
+    if (const std::size_t work_items = kernel.work_items(rays.rays.size()); work_items > tallies_.size()) {
         tallies_ = Buffer<Tally>(device_, work_items);
+        tallies_.fill_zero();
+    }
     const double before = milliseconds_of(device_.profile()), start = seconds_now();
     launch(rays, kernel);
     device_.finish();

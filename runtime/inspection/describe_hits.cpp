@@ -70,7 +70,8 @@ void find_blockers(Device &device, const DeviceScene &scene, const std::vector<T
     Buffer<uint> instances(device, sources.size());
     instances.fill_zero();
     const Buffer<std::uint8_t> crowded(device, count);
-    const Buffer<Tally> tallies(device, intersect.work_items(count));
+    Buffer<Tally> tallies(device, intersect.work_items(count));
+    tallies.fill_zero();
     intersect(count, scene, Buffer<uint>(device, all), 0u, static_cast<uint>(count), Buffer<Ray>(device, rays), Buffer<uint>(device, sources), hits,
               instances, crowded, tallies);
     const std::vector<Hit> read = hits.read();

@@ -32,7 +32,6 @@ struct Shadows {
         Kernel &trace = are_shadow_rays_coherent(generation) ? trace_together : *trace_apart;
         trace(Grid(count, used), scene, in_rows(live, rows), shared(compact.counts()), stride, in_rows(rays, rows), instances, in_rows(visible, rows),
               shared(counter.tallies()));
-        counter.add(trace.work_items(count) * used);
     }
 
     uint stride, rows;

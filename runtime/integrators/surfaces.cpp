@@ -43,11 +43,9 @@ void Surfaces::trace(const Wave &wave) {
     Kernel &intersect = stay_together(wave) ? intersect_together_ : *intersect_apart_;
     intersect(wave.count, scene_, wave, wave.level.rays, in_places(wave.level.sources), hits, places(), media ? media->crowded : no_bytes,
               shared(counter.tallies()));
-    counter.add(intersect.work_items(wave.count));
     if (!media) return;
     media->find(wave.count, scene_, wave, wave.level.rays, in_places(wave.level.sources), hits, places(), media->crowded,
                 in_lists(wave.level.interiors), in_lists(media->beyond), media->etas, shared(media->lost), shared(counter.tallies()));
-    counter.add(media->find.work_items(wave.count));
 }
 
 void Surfaces::find(const Wave &wave, const Batch &batch) {

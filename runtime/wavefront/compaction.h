@@ -18,7 +18,7 @@ public:
     std::size_t bytes() const { return chunk_counts_.bytes() + counts_.bytes(); }
 
 private:
-    Kernel count_live_, scan_counts_, write_live_;
+    Kernel count_live_, write_live_;
     Buffer<uint> chunk_counts_, counts_;
 };
 

@@ -61,7 +61,7 @@ std::vector<Hit> TracedScene::closest_hits(const Traversal &traversal, const std
     const Buffer<uint> sources(device, reversed(resized(sources_, rays.size())));
     const Buffer<uint> instances(device, std::vector<uint>(rays.size(), 0));
     const Buffer<std::uint8_t> crowded(device, rays.size());
-    const Buffer<Tally> tallies(device, kernel.work_items(rays.size()));
+    const Buffer<Tally> tallies(device, std::vector<Tally>(kernel.work_items(rays.size())));
     kernel(rays.size(), on_device_, live, unused, static_cast<uint>(rays.size()), ray_buffer, sources, hits, instances, crowded, tallies);
     tally_ = sum_of(tallies);
     instances_ = instances.read();
@@ -80,7 +80,7 @@ std::vector<std::uint8_t> TracedScene::visible(const Traversal &traversal, const
     const Buffer<uint> counts(device, std::span(&count, 1));
     const Buffer<uint> sources(device, resized(sources_, rays.size()));
     const Buffer<std::uint8_t> visible(device, std::vector<std::uint8_t>(rays.size(), 1));
-    const Buffer<Tally> tallies(device, kernel.work_items(rays.size()));
+    const Buffer<Tally> tallies(device, std::vector<Tally>(kernel.work_items(rays.size())));
     kernel(rays.size(), on_device_, live, counts, count, ray_buffer, sources, visible, tallies);
     tally_ = sum_of(tallies);
     return visible.read();

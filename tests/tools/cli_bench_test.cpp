@@ -62,10 +62,9 @@ TEST(CliBench, CountsBytesAndRoomOfTheQueuesThatAKernelWorksOn) {
     EXPECT_EQ(add.at("bytes_per_item"), 4 + 2 * 48 + 2 * 200) << "pixel, two samples, sums and squares read and written";
     for (const json &full : {generate, add, accumulate}) EXPECT_EQ(full.at("wave_occupancy"), 1) << full;
     EXPECT_NEAR(kernel("spawn_shadow_rays").at("wave_occupancy").get<double>(), 1, 0.01) << "of the queue of shadow rays";
-    for (const char *searching : {"intersect_packets", "trace_shadow_rays", "evaluate_surfaces", "tally"})
+    for (const char *searching : {"intersect_packets", "trace_shadow_rays", "evaluate_surfaces"})
         for (const char *what : {"bytes_per_item", "bytes_per_second", "share_of_copy"})
             EXPECT_TRUE(kernel(searching).at(what).is_null()) << searching << ": " << what;
-    for (const char *serial : {"tally", "scan_counts"}) EXPECT_TRUE(kernel(serial).at("wave_occupancy").is_null()) << serial;
 }
 
 /// The same scene in other batches; then other samples, of which nothing is measured.
