@@ -1,10 +1,13 @@
 #include "runtime/opencl/source.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <unordered_map>
 
 #include "runtime/opencl/embedded_kernels.h"
 #include "runtime/opencl/error.h"
@@ -29,7 +32,7 @@ std::string read_kernel(const std::string &path, const Sources &generated) {
     throw Error("no such kernel source: " + path);
 }
 
-constexpr std::string_view include_mark = "#include \"";
+constexpr std::string_view include_mark = "#include \"", define_mark = "#define ";
 
 void expand(const std::string &path, const Sources &generated, std::set<std::string> &seen, std::string &out) {
     const std::string text = read_kernel(path, generated);
@@ -50,13 +53,45 @@ void expand(const std::string &path, const Sources &generated, std::set<std::str
     }
 }
 
+bool is_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+/// The first name from `begin` on; empty at the end.
+std::string_view name_in(std::string_view text, std::size_t begin) {
+    const auto first = std::find_if(text.begin() + static_cast<std::ptrdiff_t>(begin), text.end(), is_of_name);
+    return {first, std::find_if_not(first, text.end(), is_of_name)};
+}
+
+using Uses = std::unordered_map<std::string_view, std::size_t>;
+
+Uses uses_of_names(std::string_view text) {
+    Uses uses;
+    for (std::string_view name = name_in(text, 0); !name.empty();) {
+        ++uses[name];
+        name = name_in(text, static_cast<std::size_t>(name.data() + name.size() - text.data()));
+    }
+    return uses;
+}
+
+/// The text, where lines of generated files are empty that define a name which nothing uses.
+std::string without_unused_definitions(const std::string &text) {
+    const Uses uses = uses_of_names(text);
+    bool is_generated = false;
+    std::string out;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line); out += "\n") {
+        if (line.starts_with("#line ")) is_generated = line.find("\"generated/") != std::string::npos;
+        if (!(is_generated && line.starts_with(define_mark) && uses.at(name_in(line, define_mark.size())) == 1)) out += line;
+    }
+    return out;
+}
+
 }  // namespace
 
 std::string expand_source(const std::string &path, const Sources &generated) {
     std::set<std::string> seen;
     std::string out;
     expand(path, generated, seen, out);
-    return out;
+    return without_unused_definitions(out);
 }
 
 std::uint64_t hash_of_text(std::string_view text) {

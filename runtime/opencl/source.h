@@ -11,6 +11,7 @@ namespace brandung {
 using Sources = std::map<std::string, std::string>;
 
 /// The text of a kernel file with its includes expanded; #line keeps the real names in error messages. Files with #pragma once come once.
+/// What generated files define is left out where nothing uses it: kernels that do not depend on a constant have one text, and are compiled once.
 /// Other files are those under kernels/ embedded in the program, or those in the folder that the environment's KERNEL_DIR names.
 /// Throws Error for a file that does not exist.
 std::string expand_source(const std::string &path, const Sources &generated);

@@ -34,6 +34,13 @@ TEST(ExpandSource, GivenFilesHideEmbeddedOnes) {
     EXPECT_EQ(expand_source("kernels/core/portable.h", {{"kernels/core/portable.h", "other\n"}}), "#line 1 \"kernels/core/portable.h\"\nother\n");
 }
 
+TEST(ExpandSource, WhatGeneratedFilesDefineIsThereWhereItIsUsed) {
+    const Sources sources = {{"a.cl", "#include \"generated/c.h\"\n#define OF_A 1\nint a = FIRST + NOT_SECOND;\n"},
+                             {"generated/c.h", "#define FIRST 1u\n#define SECOND 2u\n#define LIST(X) X(FIRST)\n"}};
+    EXPECT_EQ(expand_source("a.cl", sources),
+              "#line 1 \"a.cl\"\n#line 1 \"generated/c.h\"\n#define FIRST 1u\n\n\n#line 2 \"a.cl\"\n#define OF_A 1\nint a = FIRST + NOT_SECOND;\n");
+}
+
 TEST(ExpandSource, AMissingFileIsNamed) {
     for (const Sources &sources : {Sources{}, Sources{{"a.cl", "#include \"kernels/missing.h\"\n"}}}) {
         try {
