@@ -64,11 +64,10 @@ std::string scene_of(const std::string &material, const std::string &filter = "b
 }
 
 /// What the vectoriser says while the program renders: text without line ends, "kernels/<file>:<line>:<column>: <remark>" again and again.
-/// -g in PoCL's build flags makes it name lines, a fresh cache makes it compile.
-std::string remarks_of(const std::string &scene) {
-    const Folder folder;
+/// -g in PoCL's build flags makes it name lines, the folder's own cache makes it compile what no scene before needed there.
+std::string remarks_of(const std::string &scene, const Folder &folder = Folder()) {
     std::ofstream(folder.path() / "scene.json") << scene;
-    const std::string command = "cd '" + folder.path().string() + "' && mkdir cache && POCL_CACHE_DIR=$PWD/cache POCL_VECTORIZER_REMARKS=1 " +
+    const std::string command = "cd '" + folder.path().string() + "' && mkdir -p cache && POCL_CACHE_DIR=$PWD/cache POCL_VECTORIZER_REMARKS=1 " +
                                 "POCL_EXTRA_BUILD_FLAGS=-g KERNEL_DIR='" BRANDUNG_SOURCE_DIR "/kernels' '" BRANDUNG_PROGRAM
                                 "' render scene.json -o picture.exr --quiet >remarks 2>errors";
     const int status = std::system(command.c_str());
@@ -172,11 +171,13 @@ TEST(Vectorised, PathsAre16WideWithEveryKindOfMaterial) {
 }
 
 TEST(Vectorised, CamerasOfEveryKindAre16Wide) {
+    const Folder folder;
     for (const brandung::CameraKind &kind : brandung::camera_kinds()) {
         const Remarks remarks =
             parse(remarks_of(R"({"film": {"width": 32, "height": 32, "spp": 4}, "background": 1, "camera": {"type": ")" + std::string(kind.name) +
-                             R"(", "from": [0, 1, 6], "at": [0, 0, 0])" + (kind.name == std::string("orthographic") ? R"(, "height": 2)" : "") +
-                             (kind.name == std::string("thin_lens") ? R"(, "lens_radius": 1, "focus_distance": 6)" : "") + "}}"));
+                                 R"(", "from": [0, 1, 6], "at": [0, 0, 0])" + (kind.name == std::string("orthographic") ? R"(, "height": 2)" : "") +
+                                 (kind.name == std::string("thin_lens") ? R"(, "lens_radius": 1, "focus_distance": 6)" : "") + "}}",
+                             folder));
         std::size_t loops = 0;
         for (const std::string &loop : marked_loops()) {
             if (loop.find("generate_camera_rays.cl") == std::string::npos) continue;
