@@ -175,7 +175,7 @@ TEST(Splats, OfMoreSamplesThanAreTakenAtOnceAreTheSameInParts) {
     for (const Part *part : {&first, &second}) add(in_parts, splats, *part);
     EXPECT_EQ(at_once.develop(), in_parts.develop());
     const std::vector<FilmPixel> one = at_once.read(), other = in_parts.read();
-    double sum = 0;
+    double sum = 0, squares = 0;
     for (std::size_t i = 0; i < one.size(); ++i)
         for (const uint half : {0u, 1u}) {
             EXPECT_EQ(one[i].counts[half], other[i].counts[half]);
@@ -183,10 +183,12 @@ TEST(Splats, OfMoreSamplesThanAreTakenAtOnceAreTheSameInParts) {
                 EXPECT_EQ(value_of(one[i].sums[half][c]), value_of(other[i].sums[half][c]));
                 EXPECT_EQ(value_of(one[i].squares[half][c]), value_of(other[i].squares[half][c]));
                 sum += double(value_of(one[i].sums[half][c])) * 0x1p-32;
+                squares += double(value_of(one[i].squares[half][c])) * 0x1p-64;
             }
         }
-    // Weights of a tent of radius 1 in all pixels are 1 together.
+    // Weights of a tent of radius 1 in all pixels are 1 together, and values 65530 to 65536.
     EXPECT_NEAR(sum, settings.spp * 65533.0, settings.spp * 0.01);
+    EXPECT_NEAR(squares, settings.spp * (65533.0 * 65533.0 + 4), settings.spp * 65533.0 * 0.02);
 }
 
 /// Of samples of one weight nothing changes; of others the mean's variance is that of their values times Σw² / (Σw)².
