@@ -60,14 +60,15 @@ public:
         while (const auto wave = levels_.next()) {
             if (observer) observation_->begin(*wave, surfaces_.stay_together(*wave));
             surfaces_.find(*wave, batch);
+            std::optional<Reading<uint>> children;  // how many there are is known before the rest of the wave is done
             if (wave->children)
-                spawn(*wave, batch);
+                children = spawn(*wave, batch);
             else
                 cut_.count(*wave, scene_, surfaces_.points);
             shade(*wave);
             accumulate_(wave->count, *wave, wave->level.paths, contributions_, updated(samples), shared(refused_));
             if (observer) show(*wave, batch, *observer);
-            if (wave->children) levels_.add_children(*wave, compact_.counts().read().at(0));
+            if (children) levels_.add_children(*wave, children->items()[0]);
         }
         if (observer) observer->end(samples.read(0, batch.count()));
     }
@@ -96,8 +97,8 @@ public:
     }
 
 private:
-    /// The rays that go on, and those that ask for light.
-    void spawn(const Wave &wave, const Batch &batch) {
+    /// The rays that go on, which are counted, and those that ask for light.
+    Reading<uint> spawn(const Wave &wave, const Batch &batch) {
         Level &below = *wave.children;
         const bool lit = asked_.has_value();
         const uint rows = rows_of(wave), slots = rows * wave.count;
@@ -110,7 +111,12 @@ private:
                in_rows(lit ? asked_->shadows.rays : no_rays_, rows), in_rows(lit ? asked_->light : no_spectra_, rows),
                in_rows(lit ? asked_->shadows.visible : surfaces_.no_bytes, rows));
         compact_(alive_, slots, slots, 1, wave.base, below.end, below.live);
-        if (!lit) return;
+        Reading<uint> count = compact_.counts().start_reading();
+        if (lit) ask(wave);
+        return count;
+    }
+
+    void ask(const Wave &wave) {
         asked_->shadows.list(wave.count, asking_rows(wave));
         if (observation_) record_shadow_rays(wave);
         asked_->shadows.trace(scene_, wave.generation, wave.count, asking_rows(wave), surfaces_.places(), surfaces_.counter);

@@ -50,13 +50,14 @@ public:
         while (const auto wave = levels_.next()) {
             if (observer) observation_->begin(*wave, surfaces_.stay_together(*wave));
             surfaces_.find(*wave, batch);
+            std::optional<Reading<uint>> children;  // how many there are is known before the rest of the wave is done
             if (wave->children)
-                spawn(*wave);
+                children = spawn(*wave);
             else if (secondary_)
                 secondary_->cut.count(*wave, scene_, surfaces_.points);
             for (uint light = 0; light == 0 || light < light_count_; light += lights_per_block) shade(*wave, light, samples);
             if (observer) show(*wave, *observer);
-            if (wave->children) levels_.add_children(*wave, secondary_->compact.counts().read().at(0));
+            if (children) levels_.add_children(*wave, children->items()[0]);
         }
         if (observer) observer->end(samples.read(0, batch.count()));
     }
@@ -104,7 +105,8 @@ private:
         if (job.compiled.dark_emitters > 0) not_shown_.push_back({"light of emissive surfaces", "they are seen, but integrator.light_samples is 0"});
     }
 
-    void spawn(const Wave &wave) {
+    /// The rays that go on, which are counted.
+    Reading<uint> spawn(const Wave &wave) {
         Level &below = *wave.children;
         secondary_->spawn(wave.count, scene_.tables(), params_, wave, wave.level.paths, surfaces_.points, surfaces_.interfaces, surfaces_.directions,
                           surfaces_.places(), surfaces_.in_lists(wave.level.interiors), surfaces_.in_lists(surfaces_.beyond()), wave.base,
@@ -112,6 +114,7 @@ private:
                           several(below.interiors, branching_ * surfaces_.interior_size()), children(secondary_->alive));
         const uint slots = wave.count * branching_;
         secondary_->compact(secondary_->alive, slots, slots, 1, wave.base, below.end, below.live);
+        return secondary_->compact.counts().start_reading();
     }
 
     /// A block of lights, from `light` on.

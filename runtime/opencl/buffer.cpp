@@ -8,6 +8,10 @@
 
 namespace brandung {
 
+struct RawReading::Implementation {
+    cl::Event event;
+};
+
 RawBuffer::RawBuffer(Device &device, std::size_t bytes) : device_(&device), bytes_(bytes) {
     if (bytes > device.info().largest_allocation)
         throw Error(fmt::format("{:.1f} MiB do not fit in one allocation of '{}', which takes {:.1f} MiB at most",
@@ -32,6 +36,31 @@ void RawBuffer::read_bytes(std::size_t offset, std::span<std::byte> bytes) const
     if (bytes.empty()) return;
     attempt("reading a buffer",
             [&] { device_->implementation().queue.enqueueReadBuffer(implementation_->memory, CL_TRUE, offset, bytes.size(), bytes.data()); });
+}
+
+RawReading RawBuffer::start_reading_bytes(std::size_t offset, std::span<std::byte> bytes) const {
+    if (bytes.empty()) return RawReading(nullptr);
+    auto reading = std::make_unique<RawReading::Implementation>();
+    attempt("reading a buffer", [&] {
+        cl::CommandQueue &queue = device_->implementation().queue;
+        queue.enqueueReadBuffer(implementation_->memory, CL_FALSE, offset, bytes.size(), bytes.data(), nullptr, &reading->event);
+        queue.flush();
+    });
+    return RawReading(std::move(reading));
+}
+
+RawReading::RawReading(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
+RawReading::RawReading(RawReading &&) noexcept = default;
+RawReading &RawReading::operator=(RawReading &&) noexcept = default;
+RawReading::~RawReading() {
+    if (!implementation_) return;
+    const cl_event event = implementation_->event();
+    clWaitForEvents(1, &event);  // a failure is told by what comes next
+}
+
+void RawReading::wait() {
+    if (implementation_) attempt("reading a buffer", [&] { implementation_->event.wait(); });
+    implementation_.reset();
 }
 
 void RawBuffer::fill_zero() {

@@ -9,6 +9,38 @@
 
 namespace brandung {
 
+/// Bytes on their way from a device to where they were asked for, which must last until they have come.
+class RawReading {
+public:
+    struct Implementation;
+    explicit RawReading(std::unique_ptr<Implementation> implementation);  ///< null: nothing is to come
+    RawReading(RawReading &&) noexcept;
+    RawReading &operator=(RawReading &&) noexcept;
+    /// Waits, if nobody has.
+    ~RawReading();
+    void wait();
+
+private:
+    std::unique_ptr<Implementation> implementation_;
+};
+
+/// Records on their way from a device.
+template <class T> class Reading {
+public:
+    Reading(RawReading reading, std::unique_ptr<T[]> items, std::size_t count)
+        : items_(std::move(items)), count_(count), reading_(std::move(reading)) {}
+    /// Waits until they are there.
+    std::span<const T> items() {
+        reading_.wait();
+        return {items_.get(), count_};
+    }
+
+private:
+    std::unique_ptr<T[]> items_;
+    std::size_t count_;
+    RawReading reading_;  ///< goes first at the end
+};
+
 /// Bytes on a device.
 class RawBuffer {
 public:
@@ -19,9 +51,11 @@ public:
     ~RawBuffer();
 
     std::size_t bytes() const { return bytes_; }
-    /// All of these come after everything launched before; reading and writing wait until they are done.
+    /// All of these come after everything launched before; read_bytes and write_bytes wait until they are done.
     void write_bytes(std::size_t offset, std::span<const std::byte> bytes);
     void read_bytes(std::size_t offset, std::span<std::byte> bytes) const;
+    /// Returns at once.
+    RawReading start_reading_bytes(std::size_t offset, std::span<std::byte> bytes) const;
     void fill_zero();
 
     struct Implementation;
@@ -49,6 +83,12 @@ public:
         return items;
     }
     std::vector<T> read() const { return read(0, size_); }
+    /// Of all as they are after what has been launched so far; the device goes on meanwhile.
+    Reading<T> start_reading() const {
+        auto items = std::make_unique<T[]>(size_);
+        RawReading reading = start_reading_bytes(0, std::as_writable_bytes(std::span(items.get(), size_)));
+        return {std::move(reading), std::move(items), size_};
+    }
 
 private:
     std::size_t size_;

@@ -162,6 +162,22 @@ TEST(Buffer, TooLargeOnesAreRefusedWithTheSizes) {
     expect_mentions(message_of([&] { RawBuffer(test_device(), most + 1); }), {"MiB", test_device().info().name});
 }
 
+/// The device may go on meanwhile; nobody has to wait for what it has been asked.
+TEST(Buffer, AReadingHasWhatWasThereWhenItStarted) {
+    Kernel kernel(test_device(), "fill.cl", "fill", {{"fill.cl", fill}}, 1);
+    const std::size_t many = 1 << 20;
+    Buffer<uint> out(test_device(), kernel.work_items(many));
+    kernel(many, 7u, out);
+    Reading<uint> first = out.start_reading();
+    const Reading<uint> unasked = out.start_reading();
+    kernel(many, 8u, out);
+    Reading<uint> second = std::move(first);
+    EXPECT_EQ(std::vector<uint>(second.items().begin(), second.items().end()), std::vector<uint>(out.size(), 7));
+    EXPECT_EQ(second.items()[many - 1], 7u) << "it may be asked again";
+    EXPECT_EQ(out.start_reading().items()[many - 1], 8u);
+    EXPECT_TRUE(Buffer<uint>(test_device(), 0).start_reading().items().empty());
+}
+
 TEST(Buffer, WhatIsWrittenIsReadBackAlsoInPartsAndEmpty) {
     Buffer<uint> buffer(test_device(), std::vector<uint>{1, 2, 3, 4});
     buffer.write(std::vector<uint>{7, 8}, 1);
