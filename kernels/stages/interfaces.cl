@@ -29,12 +29,18 @@ FUNCTION void keep_coincident(Scene scene, Ray ray, HitList *list) {
     }
 }
 
+FUNCTION Face face_of(Scene scene, Ray ray, PlacedHit hit) {
+    Face face;
+    face.material = material_index_of(scene, hit);
+    face.enters = dot3(surface_of(scene, ray, hit).geometric, ray.direction) < 0.0f;
+    return face;
+}
+
 /// The faces of the hits; neighbours in a mesh that share the edge which the ray meets are one.
 FUNCTION uint faces_of(Scene scene, Ray ray, const HitList *list, Face *faces) {
     uint count = 0u;
     for (uint k = 0u; k < list->count; ++k) {
-        const PlacedHit hit = list->hits[k];
-        const Face face = {material_index_of(scene, hit), dot3(surface_of(scene, ray, hit).geometric, ray.direction) < 0.0f};
+        const Face face = face_of(scene, ray, list->hits[k]);
         bool known = false;
         for (uint f = 0u; f < count; ++f) known |= faces[f].material == face.material && faces[f].enters == face.enters;
         if (!known) faces[count++] = face;
@@ -43,12 +49,8 @@ FUNCTION uint faces_of(Scene scene, Ray ray, const HitList *list, Face *faces) {
 }
 
 /// The closest hit, and what coincides with it.
-FUNCTION HitList hits_at(Scene scene, Ray ray, Placement source, PlacedHit closest, bool crowded) {
+FUNCTION HitList hits_at(Scene scene, Ray ray, Placement source, PlacedHit closest) {
     HitList list = empty_list();
-    if (!crowded) {
-        list.hits[0] = closest, list.count = 1u;
-        return list;
-    }
     ray.t_max = closest.hit.t + crowd_margin(ray, scene.header->world.extent);
     scene_any_hit(scene, ray, source, &list);
     keep_coincident(scene, ray, &list);
@@ -94,14 +96,20 @@ FUNCTION float eta_before(Scene scene, Interior inside, PlacedHit met) {
 /// Sees what is on both sides of `met`. False where it is no interface, because the medium that counts stays.
 FUNCTION bool is_interface(Scene scene, Passage *passage, volatile global uint *lost) {
     const global Material *materials = SCENE_ARRAY(scene, Material, materials);
-    const HitList list = hits_at(scene, passage->ray, passage->source, passage->met, passage->crowded);
-    passage->met = foremost(scene, &list);
+    Face faces[HIT_LIST_SIZE];
+    uint count = 1u;
+    if (passage->crowded) {
+        const HitList list = hits_at(scene, passage->ray, passage->source, passage->met);
+        passage->met = foremost(scene, &list);
+        count = faces_of(scene, passage->ray, &list, faces);
+    } else {  // most are alone, and need no list
+        faces[0] = face_of(scene, passage->ray, passage->met);
+    }
     if (!transmits(scene, passage->met)) {
         passage->eta = eta_before(scene, passage->inside, passage->met);
         return true;
     }
-    Face faces[HIT_LIST_SIZE];
-    cross_faces(faces, faces_of(scene, passage->ray, &list, faces), &passage->inside, &passage->behind, lost);
+    cross_faces(faces, count, &passage->inside, &passage->behind, lost);
     const Medium here = interior_medium(passage->inside, materials), there = interior_medium(passage->behind, materials);
     passage->eta = here.eta / there.eta;
     return here.entry != there.entry;
