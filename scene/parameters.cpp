@@ -236,6 +236,10 @@ std::vector<Parameters> Parameters::one_or_more(const std::string &name) const {
     return children(name);
 }
 
+void Parameters::expect(const std::string &name) const {
+    if (!find(name)) fail_missing(name);
+}
+
 void Parameters::expect_all_known() const {
     for (auto item = object_->begin(); item != object_->end(); ++item) {
         const std::string &key = item.key();

@@ -56,6 +56,8 @@ public:
     /// Whom to tell how far a file has been read that the object names.
     const ReadProgress &progress() const { return document_->progress; }
 
+    /// Refuses the object where the named value is absent.
+    void expect(const std::string &name) const;
     void expect_all_known() const;
     /// `file:line: pointer`, of the named value or of the object itself if the name is empty or absent; for errors that are found later.
     std::string place(const std::string &name) const;

@@ -23,7 +23,9 @@ std::size_t letters_between(const std::string &a, const std::string &b) {
 
 }  // namespace
 
-bool resembles(const std::string &word, const std::string &name) { return letters_between(word, name) <= std::min<std::size_t>(2, name.size() / 2); }
+bool resembles(const std::string &word, const std::string &name) {
+    return letters_between(word, name) <= std::min<std::size_t>({2, word.size() / 2, name.size() / 2});
+}
 
 std::vector<std::string> by_likeness(const std::string &word, std::vector<std::string> names) {
     const auto is_nearer = [&](const std::string &a, const std::string &b) { return letters_between(word, a) < letters_between(word, b); };

@@ -30,7 +30,11 @@ Spectrum read_part(const Parameters &parameters, const char *name) {
 }
 
 void read_index_of_metal(const Parameters &parameters, Conductor &conductor) {
-    if (parameters.has("eta") || parameters.has("k")) {
+    const bool has_index = parameters.has("eta") || parameters.has("k");
+    if (has_index && parameters.has("metal"))
+        parameters.fail("metal", "the material has both \"metal\" and \"eta\" or \"k\", but needs only \"metal\", or \"eta\" and \"k\"");
+    if (!has_index && !parameters.has("metal")) parameters.fail("", "needs either \"metal\", or \"eta\" and \"k\"");
+    if (has_index) {
         conductor.eta = read_part(parameters, "eta"), conductor.k = read_part(parameters, "k");
         return;
     }

@@ -120,6 +120,7 @@ void warn_of_unused(const Parameters &parameters, Scene &scene) {
         ++scene.warnings[fmt::format("integrator.{} has no effect with {}", key, integrator.type)];
         place_warnings(scene, [&] { return parameters.place(key); });
     };
+    expect_used("light_samples", !paths || integrator.light_samples <= 1);
     expect_used("threshold", !paths || integrator.threshold == 0);
     expect_used("follow", !paths || !integrator.follows_one);
     expect_used("shadows", !paths || !integrator.filtered_shadows);

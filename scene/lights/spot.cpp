@@ -17,7 +17,9 @@ double one_minus_cosine(double a) { return 2 * std::sin(a / 2) * std::sin(a / 2)
 
 vec3 read_axis(const Parameters &parameters, vec3 position) {
     const bool has_at = parameters.has("at");
-    if (has_at == parameters.has("direction")) parameters.fail(has_at ? "at" : "", "needs either \"direction\" or \"at\"");
+    const bool has_direction = parameters.has("direction");
+    if (has_at && has_direction) parameters.fail("at", "the light has both \"direction\" and \"at\", but needs only one of them");
+    if (!has_at && !has_direction) parameters.fail("", "needs either \"direction\" or \"at\"");
     const vec3 way = has_at ? parameters.vector("at") : parameters.vector("direction");
     if (has_at && way == position) parameters.fail("at", "must differ from \"position\"");
     if (!has_at && way == vec3(0)) parameters.fail("direction", "must not be zero");

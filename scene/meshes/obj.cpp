@@ -291,7 +291,7 @@ uint library_material(const Reading &reading, const std::string &name, const Mtl
 /// The scene's number of a material that is named, but not in any library.
 uint missing_material(const Reading &reading, const std::string &name, uint line) {
     const std::string place = fmt::format("{}:{}", reading.file, line);
-    ++reading.scene.warnings["material that no library has: grey"];
+    ++reading.scene.warnings["material that no library has: taken as grey"];
     place_warnings(reading.scene, [&] { return place; });
     return add_material(reading.scene, {*reading.prefix + name, default_mesh_material(!reading.tables.colors.empty()), place});
 }

@@ -64,6 +64,7 @@ void append_polygon(Scene &scene, MeshData &mesh, const std::vector<vec3> &verti
 }
 
 void read_polygon(const Parameters &parameters, uint material, Scene &scene) {
+    parameters.expect("vertices");
     const std::vector<vec3> vertices = parameters.vectors("vertices");
     if (vertices.size() < 3) parameters.fail("vertices", fmt::format("must be at least 3 points, got {}", vertices.size()));
     const std::vector<vec2> uvs = read_uvs(parameters, vertices.size());

@@ -156,6 +156,8 @@ std::vector<vec2> read_uvs(const Parameters &parameters, std::size_t vertices) {
 }
 
 void read_triangle_mesh(const Parameters &parameters, uint material, Scene &scene) {
+    parameters.expect("positions");
+    parameters.expect("indices");
     MeshData mesh;
     mesh.positions = parameters.vectors("positions");
     mesh.normals = read_normals(parameters, "normals", mesh.positions.size());

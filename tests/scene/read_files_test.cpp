@@ -47,7 +47,7 @@ TEST(ReadFiles, WarningsOfMaterialsHaveTheirLines) {
         {"unknown material statement: not used", library + ":3"},
         {"material whose d and Tr contradict each other: d counts", library + ":5"},
         {"texture left out: " + library.substr(0, library.size() - 5) + "missing.png: no such file", library + ":5"},
-        {"material that no library has: grey", mesh + ":9"}};
+        {"material that no library has: taken as grey", mesh + ":9"}};
     EXPECT_EQ(scene.warning_places, expected);
     EXPECT_EQ(scene.warnings.at("unknown material statement: not used"), 2u);
 }

@@ -64,12 +64,14 @@ TEST(Bsdfs, IndicesWhoseRatiosLeaveFloatsAreRefused) {
 
 TEST(Bsdfs, WhatCannotBeIsRefused) {
     EXPECT_EQ(error_of(R"({"type": "conductor", "metal": "gold", "roughness": 1.5})"), "material:1: /roughness: must be from 0 to 1, got 1.5");
+    EXPECT_EQ(error_of(R"({"type": "conductor"})"), "material:1: needs either \"metal\", or \"eta\" and \"k\"");
+    EXPECT_EQ(error_of(R"({"type": "conductor", "metal": "gold", "eta": 1, "k": 1})"),
+              "material:1: /metal: the material has both \"metal\" and \"eta\" or \"k\", but needs only \"metal\", or \"eta\" and \"k\"");
     EXPECT_EQ(error_of(R"({"type": "plastic", "eta": 1})"), "material:1: /eta: must be above 1");
     EXPECT_EQ(error_of(R"({"type": "phong", "diffuse": [0.5, 0.2, 0], "specular": [0.6, 0, 0]})"),
               "material:1: /specular: with the diffuse reflectance more light would leave than arrives: their sum is at most 1");
     for (const char *text :
-         {R"({"type": "diffuse", "reflectance": 1.5})", R"({"type": "conductor"})", R"({"type": "conductor", "eta": 1})",
-          R"({"type": "conductor", "metal": "lead"})", R"({"type": "conductor", "metal": "gold", "eta": 1, "k": 1})",
+         {R"({"type": "diffuse", "reflectance": 1.5})", R"({"type": "conductor", "eta": 1})", R"({"type": "conductor", "metal": "lead"})",
           R"({"type": "conductor", "metal": "gold", "distribution": "phong"})", R"({"type": "plastic", "diffuse": 2})",
           R"({"type": "dielectric", "eta": 0})", R"({"type": "dielectric", "transmission": 1.5})", R"({"type": "dielectric", "roughness": -1})",
           R"({"type": "thin_dielectric", "roughness": 0.1})", R"({"type": "null", "transmission": 2})"})

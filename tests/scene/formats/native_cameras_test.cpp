@@ -42,7 +42,8 @@ TEST(NativeCameras, RefusesWhatAKindOfCameraCannotBe) {
               ":2: /camera/lens_radius: unknown key; known here: inside, keys, name, at, from, shutter, up, fov, type");
     EXPECT_EQ(error_of_camera(R"("type": "orthographic")"), ":1: /camera: \"height\" is missing");
     EXPECT_EQ(error_of_camera(R"("type": "orthographic", "height": 0)"), ":2: /camera/height: must be positive, got 0");
-    EXPECT_EQ(error_of_camera(R"("type": "orthographic", "height": 1, "fov": 40)"), ":2: /camera/fov: unknown key; is \"from\" meant?");
+    EXPECT_EQ(error_of_camera(R"("type": "orthographic", "height": 1, "fov": 40)"),
+              ":2: /camera/fov: unknown key; known here: from, at, up, keys, name, type, height, inside, shutter");
     const std::string lens = R"("type": "thin_lens", "lens_radius": 1)";
     EXPECT_EQ(error_of_camera(R"("type": "thin_lens", "focus_distance": 1)"), ":1: /camera: \"lens_radius\" is missing");
     EXPECT_EQ(error_of_camera(lens), ":1: /camera: needs either \"focus_distance\" or \"focus_at\"");

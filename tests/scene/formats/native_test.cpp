@@ -217,7 +217,8 @@ TEST(Native, RefusesBadSpotLights) {
         return error_of_text(changed("\"type\": \"point\", \"position\": [1, 2, 3]", "\"type\": \"spot\", \"position\": [1, 2, 3]" + keys));
     };
     EXPECT_EQ(spot_error(""), ":12: /lights/0: needs either \"direction\" or \"at\"");
-    EXPECT_EQ(spot_error(R"(, "at": [0, 0, 0], "direction": [0, 0, 1])"), ":12: /lights/0/at: needs either \"direction\" or \"at\"");
+    EXPECT_EQ(spot_error(R"(, "at": [0, 0, 0], "direction": [0, 0, 1])"),
+              ":12: /lights/0/at: the light has both \"direction\" and \"at\", but needs only one of them");
     EXPECT_EQ(spot_error(R"(, "at": [1, 2, 3])"), ":12: /lights/0/at: must differ from \"position\"");
     EXPECT_EQ(spot_error(R"(, "direction": [0, 0, 0])"), ":12: /lights/0/direction: must not be zero");
     EXPECT_EQ(spot_error(R"(, "at": [0, 0, 0], "angle": 361)"), ":12: /lights/0/angle: must be at most 360 degrees, got 361");
@@ -282,7 +283,8 @@ TEST(Native, WarnsOfSettingsThatItsIntegratorDoesNotUse) {
         for (const auto &[text, place] : scene.warning_places) all += text + place.substr(place.find(".json") + 5) + "; ";
         return all;
     };
-    EXPECT_EQ(warnings(R"("type": "path", "threshold": 0, "follow": "both", "shadows": "opaque", "roulette_depth": 3)"), "");
+    EXPECT_EQ(warnings(R"("type": "path", "threshold": 0, "follow": "both", "shadows": "opaque", "light_samples": 0, "roulette_depth": 3)"), "");
+    EXPECT_EQ(warnings(R"("type": "path", "light_samples": 2)"), "integrator.light_samples has no effect with path:2: /integrator/light_samples; ");
     EXPECT_EQ(warnings(R"("type": "path", "threshold": 0.1)"), "integrator.threshold has no effect with path:2: /integrator/threshold; ");
     EXPECT_EQ(warnings(R"("type": "distributed", "follow": "one", "bundles": {"light": 2})"),
               "integrator.follow has no effect with distributed:2: /integrator/follow; ");

@@ -86,7 +86,7 @@ TEST_F(Obj, WhatHasNoMaterialIsGrey) {
     const auto parts = read(square + "f 1 2 3\nusemtl lost\nf 1 2 3\n");
     EXPECT_EQ(whitted_of(folder.scene.materials.at(parts.at(0).material).record).diffuse, Spectrum(0.6f));
     EXPECT_EQ(whitted_of(folder.scene.materials.at(parts.at(1).material).record).diffuse, Spectrum(0.6f));
-    EXPECT_EQ(warnings().at("material that no library has: grey"), 1u);
+    EXPECT_EQ(warnings().at("material that no library has: taken as grey"), 1u);
 }
 
 /// A roof: the mean of the two slopes along its ridge, as their angles there are equal; a flat edge below, since that group is another.

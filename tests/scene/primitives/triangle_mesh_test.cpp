@@ -104,7 +104,11 @@ TEST(TriangleMeshShape, BadMeshesAreRefused) {
     EXPECT_NE(error(R"("indices": [0, 1, 2], "normals": [[0, 0, 1]])").find("must be one per vertex, got 1 for 3 vertices"), std::string::npos);
     EXPECT_NE(error(R"("indices": [0, 1, 2], "normals": [[0, 0, 1], [0, 0, 1], [0, 0, 0]])").find("must not be zero"), std::string::npos);
     EXPECT_NE(error(R"("indices": [0, 1, 2], "uvs": [[0, 0]])").find("must be one pair per vertex"), std::string::npos);
-    EXPECT_NE(error_of_shape(R"({"type": "triangle_mesh", "indices": [0, 1, 2]})"), "");
+    EXPECT_NE(error(R"("index": [0, 1, 2])").find("\"indices\" is missing"), std::string::npos);
+    EXPECT_NE(error_of_shape(R"({"type": "triangle_mesh", "indices": [0, 1, 2]})").find("\"positions\" is missing"), std::string::npos);
+    EXPECT_NE(error_of_shape(R"({"type": "triangle_mesh", "positions": [], "indices": [0, 1, 2]})").find("/positions: must have vertices"),
+              std::string::npos);
+    EXPECT_NE(error_of_shape(R"({"type": "polygon", "positions": []})").find("\"vertices\" is missing"), std::string::npos);
 }
 
 TEST(PolygonShape, BecomesAMesh) {
