@@ -35,9 +35,9 @@ FUNCTION void add_to_columns(SplatColumns *sums, const global float *in_column, 
 #pragma unroll
         for (uint c = 0u; c < 3u; ++c) {
             const int64 value = values[c * stride + i];
-            const uint64 a = (uint64)abs(value), b = weighed(a, weight), mask = (1ul << DIGIT) - 1ul;
+            const uint64 a = (uint64)abs(value), b = weighed(a, weight), mask = (1ul << DIGIT) - 1ul, high = 2ul * mask + 1ul;
             sums->values[c][i] += value < 0l ? -(int64)b : (int64)b;
-            const uint64 a0 = a & mask, a1 = a >> DIGIT & 2ul * mask, b0 = b & mask, b1 = b >> DIGIT & 2ul * mask;
+            const uint64 a0 = a & mask, a1 = a >> DIGIT & high, b0 = b & mask, b1 = b >> DIGIT & high;
             sums->squares[c][0][i] += a0 * b0, sums->squares[c][1][i] += a0 * b1 + a1 * b0, sums->squares[c][2][i] += a1 * b1;
         }
     }

@@ -1,5 +1,5 @@
 // Brings hits together whose surfaces scatter light by one kind of BSDF, so that most chunks of the stages behind have one kind and do without the
-// others' code. What has met nothing comes last. Only for paths in scenes with several kinds.
+// others' code. What has met nothing comes last. Only for paths in scenes with several kinds, on CPUs.
 #include "generated/choosing.cl"
 #include "generated/constants.h"
 #include "kernels/core/bits.cl"

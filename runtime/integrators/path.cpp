@@ -62,7 +62,7 @@ public:
             surfaces_.find(*wave, batch);
             std::optional<Reading<uint>> children;  // how many there are is known before the rest of the wave is done
             if (wave->children)
-                children = spawn(*wave, batch);
+                children.emplace(spawn(*wave, batch));
             else
                 cut_.count(*wave, scene_, surfaces_.points);
             shade(*wave);

@@ -37,7 +37,7 @@ struct Choices {
     Buffer<uint> chosen;  ///< the material of each hit
 };
 
-/// Where paths meet surfaces of several kinds.
+/// Where paths meet surfaces of several kinds, on CPUs.
 struct Grouping {
     explicit Grouping(const IntegratorJob &job) : group(job.device, "kernels/stages/group_hits.cl", "group_hits", job.on_device.lists()) {}
     Kernel group;

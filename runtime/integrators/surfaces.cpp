@@ -21,12 +21,13 @@ Surfaces::Surfaces(const IntegratorJob &job, bool bounces, std::size_t tallies)
       scene_(job.on_device),
       interior_size_(job.compiled.interior_size),
       paths_(job.compiled.paths),
+      several_kinds_(job.compiled.groups_hits()),
       evaluate_(job.device, "kernels/stages/evaluate_surfaces.cl", "evaluate_surfaces", scene_.lists()),
       intersect_together_(tracing_kernel(job, true, &Traversal::closest_hit)) {
     if (bounces) intersect_apart_.emplace(tracing_kernel(job, false, &Traversal::closest_hit));
     if (job.compiled.transmits) media.emplace(job);
     if (job.compiled.chooses) choices.emplace(job);
-    if (job.compiled.groups_hits()) grouping.emplace(job);
+    if (several_kinds_ && job.device.info().cpu) grouping.emplace(job);
     if (job.compiled.tints) pictures.emplace(job);
 }
 
@@ -70,7 +71,8 @@ std::size_t Surfaces::bytes() const {
 void Surfaces::add_skipped(std::vector<Skipped> &skipped) const {
     if (!media) skipped.push_back({"find_interfaces", "no material transmits: refracted rays and lists of media are not stored"});
     if (!choices) skipped.push_back({"choose_materials", "no material chooses among others"});
-    if (paths_ && !grouping) skipped.push_back({"group_hits", "all surfaces scatter light by one kind of BSDF"});
+    if (paths_ && !grouping)
+        skipped.push_back({"group_hits", several_kinds_ ? "only processors take hits in chunks" : "all surfaces scatter light by one kind of BSDF"});
     if (!pictures) skipped.push_back({"look_up_textures", "there are no pictures on surfaces or as background, and no vertex colours"});
 }
 

@@ -55,6 +55,7 @@ private:
     const DeviceScene &scene_;
     uint interior_size_;
     bool paths_;
+    bool several_kinds_;  ///< of BSDFs, which paths meet
     Kernel evaluate_, intersect_together_;
     std::optional<Kernel> intersect_apart_;
 };

@@ -52,7 +52,7 @@ public:
             surfaces_.find(*wave, batch);
             std::optional<Reading<uint>> children;  // how many there are is known before the rest of the wave is done
             if (wave->children)
-                children = spawn(*wave);
+                children.emplace(spawn(*wave));
             else if (secondary_)
                 secondary_->cut.count(*wave, scene_, surfaces_.points);
             for (uint light = 0; light == 0 || light < light_count_; light += lights_per_block) shade(*wave, light, samples);

@@ -51,7 +51,6 @@ RawReading RawBuffer::start_reading_bytes(std::size_t offset, std::span<std::byt
 
 RawReading::RawReading(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
 RawReading::RawReading(RawReading &&) noexcept = default;
-RawReading &RawReading::operator=(RawReading &&) noexcept = default;
 RawReading::~RawReading() {
     if (!implementation_) return;
     const cl_event event = implementation_->event();

@@ -15,7 +15,7 @@ public:
     struct Implementation;
     explicit RawReading(std::unique_ptr<Implementation> implementation);  ///< null: nothing is to come
     RawReading(RawReading &&) noexcept;
-    RawReading &operator=(RawReading &&) noexcept;
+    RawReading &operator=(RawReading &&) = delete;  // who owns the place would let go of it before
     /// Waits, if nobody has.
     ~RawReading();
     void wait();

@@ -303,7 +303,18 @@ TEST(Absence, HitsOfOneKind) {
     scene.integrator.type = "path";
     EXPECT_FALSE(launched_by(scene).contains("group_hits"));
     add_sphere(scene, add_material(scene, make_null(Spectrum(0.5f))), {0, 0, 0}, 0.1f);
-    EXPECT_TRUE(launched_by(scene).contains("group_hits"));
+    EXPECT_EQ(launched_by(scene).contains("group_hits"), test_device().info().cpu);
+}
+
+/// A work-item of a GPU has no chunk of which others' code could be left out, and no room for a thousand hits.
+TEST(Absence, HitsAreNotGroupedOnGpus) {
+    Scene scene = spheres_only(matte(0.5f));
+    scene.integrator.type = "path";
+    for (const char *material : {R"({"type": "conductor", "metal": "gold"})", R"({"type": "dielectric"})", R"({"type": "plastic"})"})
+        add_sphere(scene, add_material(scene, of_text(material)), {0.3f * float(scene.materials.size()), 0, 0}, 0.1f);
+    Device as_gpu = Device::select("", 0, true);
+    EXPECT_EQ(film_hash(render_scene(as_gpu, scene).film), film_hash(render_scene(scene).film));
+    EXPECT_FALSE(as_gpu.kernels().contains("group_hits"));
 }
 
 TEST(Absence, PicturesThatNothingShowsAreNotOnTheDevice) {

@@ -50,6 +50,7 @@ Known random_words(Random &random, std::size_t count, uint each) {
 class GroupHits : public testing::TestWithParam<Kinds> {};
 
 TEST_P(GroupHits, AreInTheOrderOfTheirKindsWithAllThatIsKnown) {
+    if (!test_device().info().cpu) GTEST_SKIP() << "of CPUs only";
     const CompiledScene compiled = compile(scene_of_kinds(), {.kinds = GetParam()});
     const DeviceScene on_device(test_device(), compiled);
     Kernel kernel(test_device(), "kernels/stages/group_hits.cl", "group_hits", on_device.lists());

@@ -191,6 +191,29 @@ TEST(Splats, OfMoreSamplesThanAreTakenAtOnceAreTheSameInParts) {
     EXPECT_NEAR(squares, settings.spp * (65533.0 * 65533.0 + 4), settings.spp * 65533.0 * 0.02);
 }
 
+/// Of samples of one value, to the last bit: what they weigh together times the value is that of their sum.
+TEST(Splats, SquaresAreExactProducts) {
+    const FilmSettings settings = settings_of("gaussian", 1.5);
+    std::mt19937_64 random(7);
+    std::vector<std::int64_t> values = {1, (1 << 24) - 1, 1 << 24, std::int64_t{1} << 47, std::int64_t{1} << 48};
+    for (uint i = 0; i < 40; ++i) values.push_back(static_cast<std::int64_t>(random() >> (16 + i)));
+    Splats splats(test_device(), settings, lists, 16);
+    for (const std::int64_t positive : values)
+        for (const std::int64_t value : {positive, -positive}) {
+            const Integer128 channel = {static_cast<std::uint64_t>(value), static_cast<std::uint64_t>(value >> 63)};
+            Film film(test_device(), settings);
+            add(film, splats, {{3 | 2 << 16}, 0, 5, std::vector<Sample>(5, {{channel, channel, channel}})});
+            __int128 sum = 0;
+            for (const FilmPixel &pixel : film.read())
+                for (const uint half : {0u, 1u})
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        ASSERT_TRUE(value_of(pixel.squares[half][c]) == value_of(pixel.sums[half][c]) * value) << value << ", channel " << c;
+                        sum += value_of(pixel.sums[half][c]);
+                    }
+            ASSERT_TRUE(sum != 0 || std::abs(value) == 1) << "the test shows nothing of " << value;
+        }
+}
+
 /// Of samples of one weight nothing changes; of others the mean's variance is that of their values times Σw² / (Σw)².
 TEST(PixelHalvesOfSplats, AreThoseOfWeightedMeans) {
     const auto wide = [](double x) { return Integer128{static_cast<std::uint64_t>(x), 0}; };
