@@ -30,7 +30,7 @@ public:
     std::vector<PixelWeights> read_weights() const { return splatted_ ? splatted_->weights.read() : std::vector<PixelWeights>(); }
     /// Of its samples so far; nothing where a pixel has fewer than two.
     std::optional<Noise> noise() const;
-    /// Samples that were cut at ±2^16.
+    /// Samples that were cut at ±2^16; of splatted ones also those beyond the window that were rendered for its pixels.
     uint clamped() const { return clamped_.read().at(0); }
 
     const Window &window() const { return window_; }
